@@ -17,7 +17,7 @@ from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
 from tresym.reals.expansions.limit_values import limit_of as value_of_limit
 from tresym.reals.language import expression
-from tresym.reals.language.binders import outermost
+from tresym.reals.language.binders import derivative, elementary, outermost
 from tresym.reals.language.claims import NO_CHAIN, Written, parts_of, read_claim
 from tresym.reals.language.comparisons import (
     LIMIT,
@@ -106,6 +106,8 @@ def _on_region(path: Path, on: tuple[Compared, ...]) -> Path:
 def _stated(written: Written, text: str) -> Statement:
     """What is decided of what is written."""
     parts, said, path, on, uniformly = written
+    if path is None:
+        parts, said = _with_slopes_at_points(parts, said)
     asked = uniformly
     if uniformly and path is None:
         raise InputError(UNIFORM)
@@ -166,6 +168,43 @@ def _limit(node: Expr, given: Given) -> Expr | None:
     path = ending(name, node.args[1], {1: "+", -1: "-"}.get(int(node.args[2].args[0].p), ""))
     found = {value_of_limit(body, name, path.point, side, given) for side in path.sides}
     return found.pop() if len(found) == 1 else None
+
+
+def _with_slopes_at_points(
+    parts: tuple[Compared, ...], said: tuple[Compared, ...]
+) -> tuple[tuple[Compared, ...], tuple[Compared, ...]]:
+    """Put a variable with a value for the point at which the value of a derivative is written.
+
+    ``at(diff(x**2, x), x, 3) == 6`` is ``diff(y**2, y) == 6 given y == 3``.
+    """
+    sides = [side for link in parts for side in link[::2]]
+    nodes = dict.fromkeys(filter(_is_slope_at_point, outermost(*sides)))
+    taken = {n for link in (*parts, *said) for e in link[::2] for n in symbols(e)}
+    put: dict[Expr, Expr] = {}
+    values: list[Compared] = []
+    for node in nodes:
+        names = []
+        for name in node.names:
+            names.append(expression.fresh(name, taken))
+            taken.add(names[-1])
+        body = expression.instantiate(node.args[0], tuple(map(symbol, names)))
+        put[node] = derivative(body, names[0]) if node.op == "derivative" else body
+        values += [(symbol(n), "==", v) for n, v in zip(names, node.args[1:], strict=True)]
+    if not put:
+        return parts, said
+    changed = tuple(
+        (expression.replaced(x, put), sign, expression.replaced(y, put)) for x, sign, y in parts
+    )
+    return changed, (*said, *values)
+
+
+def _is_slope_at_point(node: Expr) -> bool:
+    """Whether it is the value of a derivative at a point that is no variable."""
+    if node.loose or not elementary(*node.args[1:]):
+        return False
+    if node.op == "derivative":
+        return node.args[1].op != "symbol"
+    return node.op == "at" and any(e.op == "derivative" for e in outermost(node.args[0]))
 
 
 def _need_apart(comparisons: Iterable[Comparison], said: Iterable[Compared]) -> None:

@@ -32,7 +32,7 @@ from tresym.reals.numbers.exact import InputError
 
 MAX_CHARACTERS = 30_000
 NO_CHAIN = "a limit or an order claim cannot be part of a chain: write one relation at a time"
-_WORD = re.compile(r"(?<!\{)\s(?:--)?(given|as|on)\s(?!\s*\})")
+_WORD = re.compile(r"(?<!\{)\s(?:--)?(given|as|on|at(?=\s+[A-Za-z]\w*\s*=))\s(?!\s*\})")
 _LATEX = re.compile(r"[\\{}]")
 _AND = re.compile(r"\band\b|;|&&?|∧")
 _DANGLING = re.compile(r"\b(and|or)\s*$")
@@ -141,16 +141,20 @@ def _strictly(claim: str, given: Any, path: str | None) -> Written:
 
 
 def parts_of(text: str) -> tuple[str, str, str, str]:
-    """Return the claim, its conditions, path and region, quotes around the latter three dropped."""
+    """Return the claim, its conditions, path and region, quotes around the latter three dropped.
+
+    Values, as in ``diff(x**2, x) == 2 at x == 1``, are conditions.
+    """
     if len(text) > MAX_CHARACTERS:
         raise InputError(f"the claim has {len(text)} characters; the limit is {MAX_CHARACTERS}")
     claim, *rest = _WORD.split(text)
-    found = {"given": "", "as": "", "on": ""}
+    found = {"given": "", "as": "", "on": "", "at": ""}
     for word, part in zip(rest[::2], rest[1::2], strict=True):
         if found[word]:
             raise InputError(f"a claim can have only one part that begins with the word {word}")
         found[word] = part.strip().strip("'\"")
-    return claim.strip(), found["given"], found["as"], found["on"]
+    given = ", ".join(filter(None, (found["given"], found["at"])))
+    return claim.strip(), given, found["as"], found["on"]
 
 
 def _read_again(shown: str) -> Written:

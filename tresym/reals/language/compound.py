@@ -57,7 +57,7 @@ _AND = r"\band\b|&&"
 _IMPLIES = r"(?<![<>=])==?>|\bimplies\b"
 _RELATION = r"==|!=|<=(?!>)|>=|(?<![<>=!~:])=(?![=<>])|<(?!=)|(?<![-=])>(?!=)|~=?|->"
 _TAIL = (
-    r"\b(?:given|as|on|uniformly|if|for(?!\s+some\s+point\b)|forall|when|whenever|where|with|provided|assuming|suppose)"
+    r"\b(?:given|as|on|at(?=\s+[A-Za-z]\w*\s*=)|uniformly|if|for(?!\s+some\s+point\b)|forall|when|whenever|where|with|provided|assuming|suppose)"
     r"\b(?!\s*\()"
 )
 _BEGINS = re.compile(
