@@ -609,12 +609,15 @@ def _printed(link: Link, compared: Compared, piece: Piece) -> Link:
 
 
 def usual_path(right: Expr) -> str:
-    """Return the usual path of a remainder: ``x -> 0`` for O(x**3), ``n -> oo`` for O(1/n) and
-    O(n), since n counts."""
-    (*_, gauge) = [None, *(node.args[0] for node in outermost(right) if node.op == "O")]
-    if gauge is None:
+    """Return the usual path of a remainder: ``x -> 0`` for O(x**3) and o(x**3), ``n -> oo`` for
+    O(1/n), and for O(n), since n counts."""
+    (*_, order) = [None, *(node for node in outermost(right) if node.op in ("O", "o"))]
+    if order is None:
         return ""
+    gauge = order.args[0]
     base, exponent = gauge.args if gauge.op == "^" else (gauge, number(1))
+    if order.op == "o" and exponent == number(1):
+        return ""  # x + o(x) is said of large x as well
     if base.op != "symbol" or exponent.op != "number":
         return ""
     grows = exponent.args[0] < 0 or str(base) in ("n", "N")

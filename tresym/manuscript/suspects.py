@@ -115,7 +115,8 @@ def proofread(
             result[n] = replace(row, instead=instead)
             continue
         why = "" if _redefined(row, rows) else reason(row, instead, blocks[n])
-        if why and (instead or _fails_for_positive(row)):
+        equal = row.link.sides is not None and row.link.sides[1] == "=="
+        if why and ((instead and equal) or _fails_for_positive(row)):
             witness = row.fails_at
             result[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=witness)
     return settled(result, processes=processes)
