@@ -59,6 +59,7 @@ from tresym.reals.normal.polynomials import polynomial
 from tresym.reals.normal.to_expression import in_lowest_terms, normal_form
 from tresym.reals.signs.sign import sign
 
+CAUCHY = "Cauchy's bound of coefficients by the maximum on a circle"
 LEMMA = "singularity analysis (Flajolet and Odlyzko 1990)"
 RATIONAL = "the linear recurrence of the coefficients of a rational function"
 MOST_TERMS = 7
@@ -118,9 +119,27 @@ class Coefficients(Expansion):
 
     def prove(self, order: int, ask: Obligations) -> Bound | None:
         """What is needed was shown when the singularities were found."""
-        where = ", ".join(str(point) for point, _ in self.nearest.points)
+        where = ", ".join(str(point) for point, _ in self.nearest.points) or "none"
         text = f"{self.f} has no other singularity for abs({self.z}) <= {self.nearest.radius}"
         ask.keep(f"{text} than {where}", Given(), ask.verdict)
+        return Bound()
+
+
+class _OfEntire(Expansion):
+    """The coefficients of an entire function, which are O(R⁻ⁿ) for every R (Cauchy)."""
+
+    lemma = CAUCHY
+
+    def __init__(self, n: str) -> None:
+        """Take the name of the index."""
+        self.n = n
+
+    def terms(self, order: int) -> tuple[Expr, Expr] | None:
+        """Return 0, and R⁻ⁿ with a radius that grows with the order."""
+        return ZERO, power(number(10**order), -symbol(self.n))
+
+    def prove(self, order: int, ask: Obligations) -> Bound | None:
+        """That the function is entire was shown."""
         return Bound()
 
 
@@ -158,7 +177,9 @@ def coefficients(node: Expr, end: End) -> Expansion | None:
         nearest = nearest_singularities(f, z)
     except UnsupportedError:
         return None
-    if nearest is None or not all(stays_regular(f, z, point) for point, _ in nearest.points):
+    if nearest is None:
+        return _OfEntire(end.name)
+    if not all(stays_regular(f, z, point) for point, _ in nearest.points):
         return None
     return Coefficients(f, z, end.name, nearest)
 

@@ -88,7 +88,7 @@ class Nearest(NamedTuple):
     """The nearest singularities: one, or two at opposite points.
 
     Attributes:
-        points: where they are.
+        points: where they are; none if they are not real.
         radius: the function has no other singularity for |z| up to this radius, which is larger.
     """
 
@@ -123,11 +123,9 @@ def nearest_singularities(f: Expr, z: str) -> Nearest | None:
                     _Zero(acb(evaluate(e, {})), e, part.branches) for e in _real_zeros(part.e, z)
                 ]
             zeros += found
-        zeros = [x for x in zeros if x.exact != ZERO]
+        zeros = [x for x in zeros if x.exact is None or not is_zero(x.exact, Given())]
         if not zeros:
-            if entire:
-                raise UnsupportedError(f"the zeros of {entire[0].e} are not found")
-            return None
+            return _disc(None, entire, z) if entire else None
         return _nearest(zeros, entire, z)
 
 
@@ -311,7 +309,11 @@ def _real_zeros(e: Expr, z: str) -> list[Expr]:
                     found[point] = None
     if is_zero(substitute(e, {z: ZERO}), Given()):
         found[ZERO] = None
-    return [point for point in found if not symbols(point)]
+    different: list[Expr] = []
+    for point in found:
+        if not symbols(point) and not any(is_zero(point - x, Given()) for x in different):
+            different.append(point)
+    return different
 
 
 def _of_exponential(e: Expr, z: str) -> Iterator[Expr]:
@@ -339,10 +341,8 @@ def _nearest(zeros: list[_Zero], entire: list[Part], z: str) -> Nearest:
         raise UnsupportedError("the nearest singularity is not found")
     points: list[Singularity] = []
     for zero in own:
-        if zero.exact is None:
-            raise UnsupportedError(
-                "singularities off the real line, or of high degree, are nearest"
-            )
+        if zero.exact is None:  # they are not real, or of high degree
+            return _disc(_below(rho), entire, z)
         same = [k for k, p in enumerate(points) if is_zero(p.point - zero.exact, Given())]
         if same:
             old = points[same[0]]
@@ -362,6 +362,34 @@ def _nearest(zeros: list[_Zero], entire: list[Part], z: str) -> Nearest:
         if rho < radius and all(_no_others(part, z, radius) for part in entire):
             return Nearest(tuple(points), radius)
     raise UnsupportedError("other singularities are not excluded")
+
+
+def _disc(limit: fmpq | None, entire: list[Part], z: str) -> Nearest:
+    """Return a disc without singularities that is about as large as possible.
+
+    Args:
+        limit: where other singularities lie, if anywhere.
+        entire: parts whose zeros are not known.
+        z: the variable.
+    """
+
+    def is_free(radius: fmpq) -> bool:
+        return all(_no_others(part, z, radius) for part in entire)
+
+    if limit is not None and is_free(limit * fmpq(4095, 4096)):
+        return Nearest((), limit * fmpq(4095, 4096))
+    radius = fmpq(64) if limit is None else limit
+    for _ in range(16):
+        radius = radius / 2
+        if is_free(radius):
+            break
+    else:
+        raise UnsupportedError("no disc without singularities is found")
+    low, high = radius, radius * 2
+    for _ in range(8):
+        middle = (low + high) / 2
+        low, high = (middle, high) if is_free(middle) else (low, middle)
+    return Nearest((), low)
 
 
 def _below(x: arb) -> fmpq:

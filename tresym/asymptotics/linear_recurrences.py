@@ -162,11 +162,11 @@ def _powers(factor: fmpz_poly, steps: Expr, size: int) -> list[tuple[list[fmpq],
         if r == 0:
             return None
         return [([r**k for k in range(size)], _raised(number(abs(r)), r < 0, steps))]
+    if factor.degree() != 2:
+        return None
     lead = int(factor[2])
     s, t = fmpq(-int(factor[1]), lead), fmpq(int(factor[0]), lead)
     inside = s * s - 4 * t
-    if factor.degree() != 2:
-        return None
     if inside < 0:
         return _turning(s, t, steps, size)
     root = sqrt(number(inside))

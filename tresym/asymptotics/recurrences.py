@@ -38,6 +38,7 @@ from tresym.asymptotics.divided_arguments import (
     divided,
     growth_of,
 )
+from tresym.asymptotics.dominant_roots import decide_by_largest_root
 from tresym.asymptotics.first_order_recurrences import FirstOrder, first_order
 from tresym.asymptotics.lemma import Bound, End, Expansion, Obligations
 from tresym.asymptotics.lemma_claims import approximations, decide_with_expansions
@@ -193,6 +194,10 @@ def _of_higher_order(
     if any(m.args[0] != sequence.name or _shift(m, symbol(n)) is None for m in nodes):
         raise _OpenError(f"the claim must be about {sequence.name.args[0]}({n}) alone")
     form = sequence.closed()
+    if form is None and isinstance(sequence, Solved):
+        found = decide_by_largest_root(claim, statement, sequence, decided)
+        if found is not None:
+            return found
     if form is None:
         raise _OpenError(UNSUPPORTED_ROOTS)
     whole = tuple(dict.fromkeys((*statement.integers, n)))
