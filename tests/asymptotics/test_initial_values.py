@@ -58,7 +58,8 @@ def test_the_uniform_constant_bounds_the_error_of_a_numerical_solution() -> None
     [
         "y(x) == exp(1 - x) + O(e) given e*diff(y(x), x, 2) + diff(y(x), x) + y(x) == 0, "
         "y(0) == 0, y(1) == 1 as e -> 0+",
-        "y(t) == O(e) given diff(y(t), t) == -y(t)**2/e, y(0) == 1, t >= 0 as e -> 0+",
+        "y(x) == 1 + O(e) given e*diff(y(x), x, 2) + y(x)*diff(y(x), x) == 0, y(0) == 0, "
+        "y(1) == 1, 0 <= x <= 1 as e -> 0+",
     ],
 )
 def test_boundary_layers_are_refused_by_name(claim: str) -> None:
