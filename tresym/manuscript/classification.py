@@ -38,6 +38,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.formula import Compared, chained
 from tresym.reals.language.latex_operands import Piece
+from tresym.reals.language.latex_tokens import RELATIONS
 from tresym.reals.numbers.exact import InputError, parse_number
 
 DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
@@ -287,6 +288,7 @@ def claim(
         and not said.remarks
         and not changed
         and not _is_up_to(n, said, known)
+        and sum(RELATIONS.get(op, "").startswith("->") for op in said.ops[:n]) < 2  # steps
         and not (under.noted and under.kind == prose.SOLVE and n == 0)
     )
     link = replace(link, sides=(left, relation, right), read_as=attempts[0].read_as)
