@@ -55,10 +55,12 @@ class Bound(NamedTuple):
     Attributes:
         constant: C, or None: some constant, for x near enough to the end of the path.
         upto: for 0 < s ≤ upto, where s is 1/|x| or the distance from the end; None for all s > 0.
+        uniform: whether it holds for all values of the parameters that satisfy the conditions.
     """
 
     constant: fmpq | None = None
     upto: fmpq | None = None
+    uniform: bool = False
 
 
 class End(NamedTuple):

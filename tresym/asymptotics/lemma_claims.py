@@ -18,7 +18,7 @@ left side minus the printed terms is −2/x² + O(1/x³).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from math import factorial
@@ -35,7 +35,7 @@ from tresym.asymptotics.lemma import (
     folded,
     smallest,
 )
-from tresym.asymptotics.order_claims import region
+from tresym.asymptotics.order_claims import region as region_of
 from tresym.asymptotics.rational_functions import over, roots_of
 from tresym.reals.decisions.answer import Answer, Decide, worst
 from tresym.reals.decisions.hypergeometric import OpenError, polynomial
@@ -164,9 +164,22 @@ def decide_by_lemmas(claim: Comparison, statement: Statement, decided: Decide) -
         if found[-1].verdict is Verdict.REFUTED:
             return found[-1]
     answer = worst(found)
-    if len(path.sides) > 1 and answer:
-        return replace(answer, region=None, constant=None)
-    return answer
+    return _on_both_sides(answer, found, path) if len(path.sides) > 1 and answer else answer
+
+
+def _on_both_sides(answer: Answer, found: Sequence[Answer], path: Path) -> Answer:
+    """Return the answer with the larger constant of both sides, and the region where both hold."""
+    regions = [(one.region or "").replace("-", "") for one in found]
+    bare = replace(answer, region=None, constant=None, uniform=None)
+    if path.point is None or not all(" <= " in region for region in regions):
+        return bare
+    balls = [one.constant for one in found if one.constant is not None]
+    if len(balls) < len(found):
+        return bare
+    largest = max(balls, key=lambda ball: parse_number(ball.mid) + parse_number(ball.rad))
+    reach = min(parse_number(region.split()[-1]) for region in regions)
+    uniform = True if all(one.uniform is True for one in found) else None
+    return replace(bare, region=region_of(path, reach), constant=largest, uniform=uniform)
 
 
 def _on_one_side(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
@@ -461,7 +474,10 @@ class _Claim:
             Verdict.PROVED if ask.verdict is answer.verdict is Verdict.PROVED else Verdict.ENCLOSED
         )
         constant, where = None, None
-        if self.claim.relation == "O" and explicit.relation == "O":
+        names = symbols(self.claim.left) | symbols(self.claim.right)
+        free = bool(names - {self.path.name, *self.names})
+        asked = not free or self.statement.uniformly
+        if asked and self.claim.relation == "O" and explicit.relation == "O":
             constant, where = self._constant(bounds, known, explicit, answer, exact)
         return Answer(
             verdict,
@@ -470,6 +486,7 @@ class _Claim:
             obligations=tuple(ask.found),
             constant=constant,
             region=where,
+            uniform=True if free and constant is not None else None,
         )
 
     def _explicit(self, ask: Obligations, claim: Comparison) -> Answer:
@@ -527,10 +544,17 @@ class _Claim:
         answer: Answer,
         exact: bool,
     ) -> tuple[Decimal | None, str | None]:
-        """Return C with |left| ≤ C |right| and where, if the claim is linear in its integrals."""
+        """Return C with |left| ≤ C |right| and where, if the claim is linear in its integrals.
+
+        With parameters C serves for all of their values.
+        """
         if any(bound.constant is None for bound in bounds.values()):
             return None, None
-        if symbols(explicit.left) | symbols(explicit.right) - {self.path.name} != {self.path.name}:
+        one = self.path.name
+        if any(symbols(node) - {one} and not bound.uniform for node, bound in bounds.items()):
+            return None, None
+        shown = (symbols(explicit.left) | symbols(explicit.right)) - {one}
+        if shown and not exact and answer.uniform is not True:
             return None, None
         total, reach = arb(0), [bound.upto for bound in bounds.values()]
         with ball_precision():
@@ -553,14 +577,21 @@ class _Claim:
                 reach.append(share[1])
             limits = [r for r in reach if r is not None]
             constant = Decimal(decimal_above(exact_upper(total), 6), "0")
-        return constant, region(self.path, min(limits)) if limits else f"{self.path.name} > 0"
+        return constant, region_of(self.path, min(limits)) if limits else f"{self.path.name} > 0"
 
     def _ratio(self, above: Expr, below: Expr) -> tuple[arb, fmpq | None] | None:
         """Return the supremum of |above/below| and where."""
         x = symbol(self.path.name)
         last = self.end.limit(abs(above / below))
-        if last is None or last in _INFINITE or symbols(last):
+        free = (symbols(above) | symbols(below)) - {self.path.name}
+        if last is None or last in _INFINITE or (symbols(last) and not free):
             return None
+        if free:
+            statement = replace(self.statement, integers=(), equations=(), path=self.path)
+            answer = self.decided(Comparison(above, "O", below), statement)
+            if not answer or not answer.constant or not answer.region or answer.uniform is not True:
+                return None
+            return _ball(answer.constant), _reach(answer.region, self.path)
         if (
             decide(abs(above), last * abs(below), Given(((x, ">", ZERO),))).verdict
             is Verdict.PROVED
@@ -599,6 +630,6 @@ def _sentence(node: Expr, found: Approximation, bound: Bound, path: Path) -> str
         return f"{node} = {found.main}"
     if bound.constant is None:
         return f"{node} = {found.main} + {'o' if found.small else 'O'}({found.error})"
-    where = f"{path.name} > 0" if bound.upto is None else region(path, bound.upto)
+    where = f"{path.name} > 0" if bound.upto is None else region_of(path, bound.upto)
     limit = number(bound.constant) * found.error
     return f"{node} = {found.main} + R with |R| <= {limit} for {where}"

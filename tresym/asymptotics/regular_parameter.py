@@ -12,6 +12,7 @@ Example: ``integral(sqrt(1 - k**2*sin(t)**2), t, 0, pi/2) == pi/2 - pi*k**2/8 + 
 
 from __future__ import annotations
 
+from itertools import islice, product
 from math import factorial
 
 from flint import arb, fmpq
@@ -35,6 +36,7 @@ from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     MINUS_ONE,
     ONE,
+    PI,
     ZERO,
     Expr,
     add,
@@ -49,13 +51,15 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import InputError, Interval
 
 LEMMA = "Taylor's formula under the integral sign (DLMF 1.5(iv))"
 LONG = 120
 """Derivatives of more operations get no constant."""
-GRID = 24
-"""Points in each direction at which the largest derivative is looked for."""
+GRID, FEW = 24, 6
+"""Points in each direction at which the largest derivative is looked for, and beside parameters."""
+VALUES = 12
+"""Values of the parameters at which it is looked for."""
 RANGES = (fmpq(1, 2), fmpq(1, 10), fmpq(1, 100))
 _INFINITE = (INFINITY, -INFINITY)
 
@@ -133,19 +137,41 @@ class RegularParameter(Expansion):
     def prove(self, order: int, ask: Obligations) -> Bound | None:
         """Bound the derivative of this order on the whole range."""
         e, t, small = self._derivative(order), symbol(self.t), symbol(self.small)
-        sign = self.end.side
-        for reach in RANGES:
+        sign, path = self.end.side, ask.statement.path
+        wanted = None if path is None else path.reach
+        for reach in RANGES if wanted is None else (wanted, *RANGES):
             near = ((sign * small, ">=", ZERO), (sign * small, "<=", number(reach)))
             closed = self._closed()
             if closed is not None and ask.continuous(self.f, closed & Given(near)):
                 constant = self._largest(e, reach, closed & Given(near), order, ask)
-                return Bound() if constant is None else Bound(constant, reach)
+                return Bound() if constant is None else Bound(constant, reach, True)
             inside = self.inside & Given(near)
             if not ask.continuous(self.f, inside):
                 continue
-            if self._majorised(e, t, inside, ask):
-                return Bound()
+            majorised = self._majorised(e, t, inside, ask)
+            if majorised is not None:
+                whole = self._whole(*majorised)
+                if whole is None:
+                    return Bound()
+                return Bound(rounded_up(whole / factorial(order), 4), reach, True)
         return None
+
+    def _whole(self, c: fmpq, w: Expr) -> arb | None:
+        """Return a bound of the integral or sum of c·w over the range; None if none is known."""
+        if symbols(self.low) | symbols(self.high) or self.low in _INFINITE:
+            return None
+        t, low = symbol(self.t), self.low
+        whole_squares = 1 / low + 1 / low**2 if low.op == "number" and low.args[0] > 0 else None
+        known = {
+            apply("exp", -t / 2): 2 * apply("exp", -self.low / 2),
+            power(1 + t * t, MINUS_ONE): PI / 2 - apply("atan", self.low),
+            power(t, number(-2)): whole_squares,
+            ONE: self.high - self.low if self.high not in _INFINITE else None,
+        }
+        whole = known.get(w)
+        with ball_precision():
+            found = None if whole is None else arb(c) * evaluate(whole, {})
+            return found if found is not None and found.is_finite() else None
 
     def _closed(self) -> Given | None:
         if self.node.op != "integral" or self.low in _INFINITE or self.high in _INFINITE:
@@ -157,27 +183,32 @@ class RegularParameter(Expansion):
         self, e: Expr, reach: fmpq, closed: Given, order: int, ask: Obligations
     ) -> fmpq | None:
         """Return a constant for a finite range, if one is proved for a bound found by numbers."""
-        if symbols(e) - {self.t, self.small} or symbols(self.low) | symbols(self.high):
+        if symbols(self.low) | symbols(self.high) or e.size > LONG:
             return None
-        if e.size > LONG:
-            return None
+        names = sorted(symbols(e) - {self.t, self.small})
+        points = list(islice(self.end.given.points(names, VALUES), VALUES)) if names else [{}]
+        ranges = [self.end.given.box.get(name, Interval()) for name in names]
+        ends = [[x for x in (where.low, where.high) if x is not None] for where in ranges]
+        points += (dict(zip(names, at, strict=True)) for at in islice(product(*ends), VALUES))
+        grid = GRID if not names else FEW
         with ball_precision():
             low, high = evaluate(self.low, {}), evaluate(self.high, {})
             largest = arb(0)
-            for i in range(GRID + 1):
-                for j in range(GRID + 1):
-                    x = arb(reach) * j / GRID * self.end.side
-                    point = {self.t: (low + (high - low) * i / GRID).mid(), self.small: x.mid()}
-                    value = abs(evaluate(e, point))
-                    if value.is_finite():
-                        largest = largest.max(value.mid())
+            for i, j, at in product(range(grid + 1), range(grid + 1), points):
+                x = arb(reach) * j / grid * self.end.side
+                place = {self.t: (low + (high - low) * i / grid).mid(), self.small: x.mid()}
+                value = abs(evaluate(e, {name: arb(v) for name, v in at.items()} | place))
+                if value.is_finite():
+                    largest = largest.max(value.mid())
             bound = rounded_up(largest * arb(SLACK), 4)
             if not ask.holds(apply("abs", e), "<=", number(bound), closed):
                 return None
             return rounded_up(arb(bound) * (high - low) / factorial(order), 4)
 
-    def _majorised(self, e: Expr, t: Expr, inside: Given, ask: Obligations) -> bool:
-        """Prove |∂ⁿf| ≤ C w for a function w whose integral or sum converges."""
+    def _majorised(
+        self, e: Expr, t: Expr, inside: Given, ask: Obligations
+    ) -> tuple[fmpq, Expr] | None:
+        """Prove |∂ⁿf| ≤ C w for a function w whose integral or sum converges; return C and w."""
         at_zero = substitute(e, {self.small: ZERO})
         reach = inside.box[self.small]
         places = [ZERO, *(number(end) for end in (reach.low, reach.high) if end is not None)]
@@ -189,8 +220,8 @@ class RegularParameter(Expansion):
                 continue
             c = max(rounded_up(size * arb(SLACK), 4) for size in known)
             if ask.holds(apply("abs", e), "<=", number(c) * w, inside):
-                return True
-        return False
+                return c, w
+        return None
 
     def _supremum(self, e: Expr) -> arb | None:
         """Return about the largest |e| on the range of the variable of integration."""
