@@ -475,7 +475,7 @@ class _Claim:
         )
         constant, where = None, None
         names = symbols(self.claim.left) | symbols(self.claim.right)
-        free = bool(names - {self.path.name, *self.names})
+        free = bool(names - {self.path.name, INFINITY.args[0], *self.names})
         asked = not free or self.statement.uniformly
         if asked and self.claim.relation == "O" and explicit.relation == "O":
             constant, where = self._constant(bounds, known, explicit, answer, exact)
@@ -550,10 +550,10 @@ class _Claim:
         """
         if any(bound.constant is None for bound in bounds.values()):
             return None, None
-        one = self.path.name
-        if any(symbols(node) - {one} and not bound.uniform for node, bound in bounds.items()):
+        own = {self.path.name, INFINITY.args[0]}
+        if any(symbols(node) - own and not bound.uniform for node, bound in bounds.items()):
             return None, None
-        shown = (symbols(explicit.left) | symbols(explicit.right)) - {one}
+        shown = (symbols(explicit.left) | symbols(explicit.right)) - own
         if shown and not exact and answer.uniform is not True:
             return None, None
         total, reach = arb(0), [bound.upto for bound in bounds.values()]
