@@ -198,7 +198,7 @@ class Reader:
             if c != ZERO and v + k < 0:
                 singular.append((v + k, c))
             elif c != ZERO:
-                regular = regular + c * t ** (v + k)
+                regular = regular + (c * t ** (v + k) if v + k else c)
             g = tidied(differentiate(g, self.t))
             if g == ZERO:
                 return {tuple(singular): Part(0, apply("exp", regular))}
