@@ -1326,7 +1326,10 @@ def _clauses(written: str) -> tuple[str, dict[str, str]]:
         name = " ".join(text[first:start].split())
         if name in found:
             raise InputError(f"'{name}' begins two clauses of the claim; join them by a comma")
-        found[name] = part.strip()
+        plain_part = UNIFORMLY.sub("", f" {part} ") if name in ("given", "as", "on") else part
+        if plain_part.strip() != part.strip() and not UNIFORMLY.search(formula):
+            formula = f"{formula.rstrip()} uniformly"
+        found[name] = plain_part.strip()
         if not found[name]:
             raise InputError(f"'{name}' needs words after it")
     return formula.strip(), found

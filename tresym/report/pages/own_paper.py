@@ -48,7 +48,10 @@ from tresym.reals.language.typesetting import to_latex as any_formula
 from tresym.reals.verdict import Verdict
 from tresym.report.pages import notebook
 from tresym.report.pages.formulas_in_words import parts, region_latex
+from tresym.report.typesetting.plain_text import plain
 
+LINE = 72
+"""Signs of a formula and its conditions that fit in one line of an article."""
 STYLES = ("article", "markdown", "jupyter")
 _TEX = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "&": r"\&", "%": r"\%", "#": r"\#",
@@ -345,13 +348,22 @@ def _verdict(row: Row, item: PaperClaim, look: _Style) -> str:
         uniform = "all values of the parameters at once" if answer.uniform else ""
         text += f" It holds for {uniform or 'each fixed value of the parameters'}."
     if answer is not None and answer.constant is not None:
-        text += f" The constant is {look.words(answer.constant_text())}."
+        text += f" The constant is {_numbers(answer.constant_text(), look)}."
     if answer is not None and answer.region:
         where = region_latex(answer.region)
         text += f" Region: {look.formula(where) if where else look.code(answer.region)}."
     if row.axioms:
         text += f" It rests on {', '.join(look.refer(label) for label in row.axioms)}."
     return text
+
+
+def _numbers(text: str, look: _Style) -> str:
+    """Words with numbers in the notation of print: 4.5e-11 with a power of ten."""
+    parts_ = re.split(r"(\d[\d.]*)e([-+]?\d+)", text)
+    found = look.words(parts_[0])
+    for digits, power, rest in zip(parts_[1::3], parts_[2::3], parts_[3::3], strict=True):
+        found += look.formula(rf"{digits} \cdot 10^{{{int(power)}}}") + look.words(rest)
+    return found
 
 
 def _with_given(claim: str, given: str) -> str:
@@ -407,7 +419,11 @@ def statement_latex(claim: PaperClaim, aligned: bool = False) -> str:
     if claim.uniformly:
         extra.append(r"\text{uniformly}")
     listed = r",\ ".join(extra)
-    return text + (rf" \qquad ({listed})" if extra else "")
+    if not extra:
+        return text
+    if len(plain(text)) + len(plain(listed)) > LINE:  # formula and conditions in two lines
+        return f"\\begin{{gathered}}\n{text} \\\\\n({listed})\n\\end{{gathered}}"
+    return rf"{text} \qquad ({listed})"
 
 
 def _aligned(links: Collection[Compared]) -> str:
