@@ -29,6 +29,11 @@ number: c ~= 12.5 using d08 given rounded
 number_wrong: c ~= 12.54 using d08, rounded expect refuted
 without: I2/I1 ~= 13.5 expect refuted
 imported: r0 < 2*a
+p, q real; given p > 0
+twice := 2*p
+let small: p := q**2 + 1
+inside: twice == 2*q**2 + 2 using small
+inside_wrong: twice == 2*q**2 using small expect refuted
 ## One
 u, v real; given u > 0
 assume law (9): v == u**2

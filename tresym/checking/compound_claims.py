@@ -29,6 +29,8 @@ from tresym.reals.cross_check import somewhere
 from tresym.reals.decisions.answer import Answer, Obligation, refuted, worst
 from tresym.reals.decisions.claim_parsing import statement_of
 from tresym.reals.decisions.root_values import enclosed
+from tresym.reals.decisions.roots import root_nodes
+from tresym.reals.decisions.roots_over_boxes import FEW, decide_over_boxes
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.operation_domains import bound, needs, operations
@@ -79,7 +81,7 @@ SEVERAL = 3
 """The most parameters for which all combinations of 0, 1 and −1 are tried."""
 SIZE = 3
 """The least number of operations in an expression that is replaced by a variable."""
-POINTS = 60
+POINTS, FEWER = 60, 6
 """Points at which a claim that holds somewhere is tried."""
 GRID = 96
 """Points of an interval at which a change of sign is looked for."""
@@ -452,19 +454,19 @@ class _Deciding:
         where = Given(given).unfolded()
         names = sorted({n for link in links for side in link[::2] for n in symbols(side)})
         names = sorted({*names, *where.names} - {INFINITY.args[0]})
-        for point in chain(_middles(where, names), islice(where.points(names, POINTS), POINTS)):
-            at = {name: fmpq(x) for name, x in point.items()}
-            with ball_precision():
-                inside = all(c.holds_exactly(at) for c in where.conditions)
-                values = [enclosed(x - y, at) for x, _, y in links] if inside else []
-            if inside and all(map(partial(_stands_at, at), links, values)):
-                shown = ", ".join(f"{name} = {x}" for name, x in at.items())
-                return Answer(Verdict.ENCLOSED, f"it holds at {shown}" if shown else "it holds")
+        found = _holds_at(_middles(where, names), links, where)
+        for link in () if found else links:
+            against = _over_boxes(_negated(link), given)
+            if against:
+                return _fails_everywhere(link, against)
+        count = FEWER if any(e.hidden for link in links for e in link[::2]) else POINTS
+        found = found or _holds_at(islice(where.points(names, count), count), links, where)
+        if found:
+            return found
         for link in links:
             against = self.asked(_negated(link), claim.given)
             if against:
-                why = f"{chained((link,))} fails everywhere: {against.why}"
-                return replace(refuted(why, {}), obligations=(_obligation(against),))
+                return _fails_everywhere(link, against)
             if against.verdict is Verdict.REFUTED and len(links) == 1:
                 why = f"its opposite fails: {against.why}"
                 return Answer(Verdict.PROVED, why, obligations=(_obligation(against),))
@@ -675,6 +677,35 @@ class _Solutions:
         near = value.str(6, radius=False)
         why = f"balls show that there is one solution and no other, near {near}"
         return Answer(Verdict.ENCLOSED, why)
+
+
+def _holds_at(
+    points: Iterable[Mapping[str, Any]], links: Sequence[Compared], where: Given
+) -> Answer | None:
+    """The first of several points at which all comparisons hold."""
+    for point in points:
+        at = {name: fmpq(x) for name, x in point.items()}
+        with ball_precision():
+            inside = all(c.holds_exactly(at) for c in where.conditions)
+            values = [enclosed(x - y, at) for x, _, y in links] if inside else []
+        if inside and all(map(partial(_stands_at, at), links, values)):
+            shown_at = ", ".join(f"{name} = {x}" for name, x in at.items())
+            return Answer(Verdict.ENCLOSED, f"it holds at {shown_at}" if shown_at else "it holds")
+    return None
+
+
+def _fails_everywhere(link: Compared, against: Answer) -> Answer:
+    why = f"{chained((link,))} fails everywhere: {against.why}"
+    return replace(refuted(why, {}), obligations=(_obligation(against),))
+
+
+def _over_boxes(link: Compared, given: tuple[Compared, ...]) -> Answer | None:
+    """An answer by balls over the ranges of the variables, where a few parts of them suffice."""
+    statement = statement_of(Written((link,), given, None))
+    (comparison,) = statement.comparisons
+    nodes = root_nodes(comparison.left, comparison.right)
+    found = decide_over_boxes(comparison, statement, nodes, FEW)
+    return None if found is None else replace(found, read_as=statement.read_as)
 
 
 def _with_values(

@@ -739,6 +739,8 @@ class _Reader:
 
     def _define(self, line: int, name: str, arguments: str | None, text: str) -> None:
         self._need_new(name)
+        if name in self.used:
+            raise InputError(f"{name} is used on line {self.used[name]}, above its definition")
         place = _STANDS_AT.search(text)
         text = text[: place.start()] if place else text
         made = self._definition(line, name, arguments, text)
@@ -762,8 +764,6 @@ class _Reader:
                 f"{name} := root(f, x, a, b), the zero of f between a and b"
             )
         inside = {n: d for n, d in self.definitions.items() if n not in parameters}
-        if name in self.used:
-            raise InputError(f"{name} is used on line {self.used[name]}, above its definition")
         made = define(line, name, parameters, text, written, inside)
         self._need_functions((made.expression,))
         self._uses(line, written, parameters)
@@ -928,7 +928,9 @@ class _Reader:
         own = {made.name: made for let in lets for made in let.definitions}
         try:
             if own:
-                self.definitions = {**self.definitions, **own}
+                put = {name: made.expression for name, made in own.items() if not made.parameters}
+                known = {name: _with_put_in(made, put) for name, made in self.definitions.items()}
+                self.definitions = {**known, **own}
                 self.given = [self._expanded(link) for link in self.given]
             yield
         finally:
@@ -1253,6 +1255,15 @@ def _near_the_end(path: LimitProcess | None, given: Iterable[Compared]) -> tuple
         for link in given
         if path.name in _names(link) and link[1] not in ("in", "==") and not _names(link) & unknown
     )
+
+
+def _with_put_in(made: Definition, put: Mapping[str, Expr]) -> Definition:
+    """A definition with expressions put in for its variables, but not for its arguments."""
+    free = {name: e for name, e in put.items() if name not in made.parameters}
+    taken = {name for e in free.values() for name in symbols(e)}
+    if taken & {*made.parameters} and symbols(made.expression) & free.keys():
+        raise InputError(f"'{made.name}' has an argument of the same name: rename it")
+    return replace(made, expression=substitute(made.expression, free))
 
 
 def _without_reason(match: re.Match[str]) -> str:
