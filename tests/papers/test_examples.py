@@ -9,13 +9,17 @@ from tresym.papers.verification import verify_paper
 
 FILES = sorted((Path(__file__).resolve().parents[2] / "docs" / "examples").glob("*.tresym"))
 SAMPLE = {
+    "algorithm": ("order", "linear", "without_correction"),
     "damped": ("start", "velocity", "frequency", "regular_bound"),
     "kepler": ("equation", "slope", "value"),
+    "layer": ("composite", "outer", "wrong_end"),
     "pendulum": ("at_45", "lima_at_90", "misprint"),
     "recurrences": ("merge_sort_linear", "hanoi", "bound_wrong", "catalan"),
+    "queue": ("sojourn", "traffic", "tail_wrong"),
+    "scheme": ("central", "forward_wrong", "simpson"),
     "stirling": ("recurrence", "at_10", "leading"),
 }
-WITHOUT_PICTURES = ("recurrences",)
+WITHOUT_PICTURES = ("algorithm", "layer", "recurrences", "scheme")
 
 
 def test_they_are_short() -> None:
