@@ -231,6 +231,8 @@ class PaperClaim:
         required: declared conditions that must hold where such a claim speaks.
         place: where it stands in print, such as the number of an equation.
         assumed: whether it is assumed, and not judged.
+        restricted: the labels of assumptions that relate its variables without being conditions,
+            as the value of an integral does: at a point that refutes it they need not hold.
         instead: the labels of claims that hold instead of a false one.
     """
 
@@ -258,6 +260,7 @@ class PaperClaim:
     required: tuple[Required, ...] = ()
     place: str = ""
     assumed: bool = False
+    restricted: tuple[str, ...] = ()
     instead: tuple[str, ...] = ()
 
     @property
@@ -860,6 +863,7 @@ class _Reader:
             joined=joined,
             place=place,
             assumed=assumed,
+            restricted=() if assumed else self._restrictions(claim),
             instead=instead,
             expect_refuted=bool(expect),
             source=source.strip().strip("()"),
@@ -974,6 +978,23 @@ class _Reader:
                 found.append(label)
         return found
 
+    def _restrictions(self, claim: PaperClaim) -> tuple[str, ...]:
+        """The labels of assumed values of integrals and sums that relate variables of a claim."""
+        links = [*claim.links, *claim.conditions]
+        if claim.whole is not None:
+            links += [link for leaf in leaves(claim.whole.formula) for link in comparisons_of(leaf)]
+        names = frozenset().union(*map(_names, links))
+        return tuple(
+            label
+            for link, label in self.assumed.items()
+            if link[0] in self.put_in and _names(self._expanded_once(link)) & names
+        )
+
+    def _expanded_once(self, link: Compared) -> Compared:
+        """An assumption with the definitions put in that hold where a claim is read."""
+        left, relation, right = link
+        return expanded(left, self.definitions), relation, expanded(right, self.definitions)
+
     def _use(self, line: int, names: Iterable[str], file: str) -> None:
         """Take definitions and claims from another file of the same folder, with what they need."""
         if self.folder is None:
@@ -1023,6 +1044,9 @@ class _Reader:
         """Let a variable of an earlier section be another one from here on."""
         at = self.declared.pop(name)
         self.given = [link for link in self.given if name not in _names(link)]
+        for link in [link for link in self.assumed if name in _names(link)]:
+            self.put_in.pop(link[0], None)
+            del self.assumed[link]
         for other in [d for d in self.definitions.values() if name in names_in(d.written)]:
             if name not in other.parameters:
                 self.stale[other.name] = f"the variable {name} of line {at}, declared again since"

@@ -407,6 +407,9 @@ def _claim_row(claim: PaperClaim, found: list[Answer], rows: Mapping[str, Row]) 
             axioms.append(row.label)
         if not row.verdict.holds and (verdict.holds or verdict is Verdict.REFUTED):
             verdict, why = UNDECIDED, f"it depends on {row.label}, which is {row.verdict.value}"
+    if claim.restricted and verdict is Verdict.REFUTED:
+        verdict = UNDECIDED
+        why = f"it fails at a point where {', '.join(claim.restricted)} need not hold ({why})"
     if claim.assumed and verdict is not Verdict.REFUTED:
         return Row(claim, Premise.ASSUMED, "it is assumed from here on", steps, seconds=seconds)
     if claim.source and verdict is UNDECIDED:
