@@ -68,10 +68,11 @@ def _shows(tokens: Sequence[str], n: int) -> bool:
     after = tokens[n + 1] if n + 1 < len(tokens) else ""
     if before in ("^", "="):
         return False
-    exponent = _exponent_of_e(tokens, n)
+    exponent = _exponent_of_e(tokens, n) and (before, after) != ("{", "}")  # e^i may be a vector
     joined = before in _SIGNS and (after.startswith("\\s") or after.startswith("\\c"))
     closes = after in ("", "+", "-", ")", "}", "=", ",", ".", "|", "\\right)", "\\right|")
-    counted = before[:1].isdigit() and closes
+    first = n > 2 and tokens[n - 2] in _SIGNS and tokens[n - 3][:1].isdigit()
+    counted = before[:1].isdigit() and closes and first  # 3 + 4i, but not 2i + 1
     added = before in _SIGNS and closes and n > 1 and tokens[n - 2][:1].isdigit()
     return exponent or joined or counted or added
 

@@ -100,6 +100,19 @@ _TABLE = (
         "the letter \\pi is not the number 3.14... in the text",
     ),
     (
+        r"\bgcd\b|\bgreatest[\s~]+common|\bhighest[\s~]+common|\bEuclid(?:ean|'s)?[\s~]+algorithm"
+        r"|\bcoprime|\brelatively[\s~]+prime|\binner[\s~]+product|\bequivalence[\s~]+class"
+        r"|\b(?:polar|spherical|cylindrical|homogeneous|projective)[\s~]+coordinates",
+        r"(?<![a-zA-Z])\([^()]{1,40},[^()]{1,40}\)\s*&?\s*=",
+        "pairs in brackets may be divisors, products or points in the text, and no vectors",
+    ),
+    (
+        r"\bcircuits?\b|\bKirchhoff|\bresistors?\b|\bamperes?\b|\binductors?\b|\binterest\b"
+        r"|\bannuit(?:y|ies)\b|\binflation[\s~]+rate",
+        r"(?<![a-zA-Z\\])i(?![a-zA-Z])",
+        "i may be a current or a rate in the text",
+    ),
+    (
         r"\bGrassmann(?!ian)|\banti-?commut(?:e|es|ing)[\s~]+(?:numbers?|variables?)",
         _ANY,
         "the text calculates with numbers whose products change sign with their order",

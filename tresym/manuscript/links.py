@@ -25,7 +25,7 @@ from tresym.manuscript.classification import (
     TwoReadings,
     claim,
 )
-from tresym.manuscript.complex_parts import is_imaginary, parts_of
+from tresym.manuscript.complex_parts import Parts, is_imaginary, parts_of
 from tresym.manuscript.components import by_components
 from tresym.manuscript.conditions import Conditions
 from tresym.manuscript.context import Under
@@ -70,6 +70,12 @@ def read_links(events: Sequence[Event]) -> list[Link]:
 
 _FUNCTION = re.compile(r"\\(?:a?(?:rc)?(?:sin|cos|tan|cot|sec|csc)h?|exp|ln|log|operatorname|sqrt)")
 """Functions: an inequality that contains one is not a mere condition of the one before it."""
+_ASKED = re.compile(
+    r"\b(?:evaluate|compute|calculate|simplify|find|determine|expand|factor)[\s:*]*"
+    r"(?:the\s+(?:value\s+of|(integral|limit|sum))[\s:*]*(?:of)?[\s:*]*)?\Z",
+    re.IGNORECASE,
+)
+"""Words before a formula whose value a display gives that begins with an equality sign."""
 BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 FIRST = "compared with the first side of the chain, which is equal"
 
@@ -236,9 +242,14 @@ class _Reading(LinkReader):
         *_, formula = [None, *prose.INLINE.finditer(before)]
         if formula is None or re.search(r"\w", before[formula.end() :]):
             return ()
+        asked = _ASKED.search(before, 0, formula.start())
+        if asked is None or (asked[1] and f"\\{asked[1][:3]}" not in formula[0]):
+            return ()  # of what is to be differentiated the display gives something else
         try:
             *_, said = statements(formula[1] or formula[2] or "")
         except (InputError, ValueError):
+            return ()
+        if said.ops:
             return ()
         return said.terms[-1]
 
@@ -354,6 +365,8 @@ class _Reading(LinkReader):
             why = "a definition by a complex number, which is not used"
             yield replace(blank, shown=shown, status=DEFINED, why=why)
         for n, pair in enumerate(pairwise(part for part in parts if part is not None)):
+            if _is_no_unit(*pair):
+                return
             for k, name in enumerate(("\\Re", "\\Im")):
                 one, other = pair[0][k], pair[1][k]
                 if one == other == ZERO:
@@ -479,6 +492,12 @@ class _Reading(LinkReader):
         if not cases or any(len(given) != 1 for given in cases):
             return None
         return tuple((a, NEGATED[r], b) for ((a, r, b),) in cases), (), ""
+
+
+def _is_no_unit(one: Parts, other: Parts) -> bool:
+    """Whether i may be an index that an equation such as 1 + 2i = 7 determines."""
+    imaginary = [part.im for part in (one, other)]
+    return ZERO in imaginary and any(im.op == "number" and im != ZERO for im in imaginary)
 
 
 def _shown_link(said: Said, n: int) -> str:
