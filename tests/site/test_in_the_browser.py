@@ -109,3 +109,30 @@ def test_the_filter_keeps_its_state_in_the_address(ledger: Any, page: Any) -> No
     page.get_by_role("button", name="REFUTED").click()
     page.get_by_role("searchbox").fill("")
     assert "#" not in page.url
+
+
+ATLAS = """<input type="search" id="atlas-search"><span id="atlas-count"></span><ul class="atlas">
+<li data-words="erfc-lead erfc for large arguments -> oo"><a>one</a></li>
+<li data-words="mills-gordon mills ratio bound -> oo"><a>two</a></li>
+<li data-words="sin-small sine near zero -> 0"><a>three</a></li></ul>"""
+
+
+@pytest.mark.parametrize(
+    ("words", "shown"),
+    [
+        ("erfc(x)", ["one"]),
+        ("x → ∞", []),
+        ("→ ∞", ["one", "two"]),
+        ("Mills' ratio", ["two"]),
+        ("", ["one", "two", "three"]),
+    ],
+)
+def test_the_search_of_the_atlas(page: Any, tmp_path: Path, words: str, shown: list[str]) -> None:
+    script = GENERATED.parent / "_static" / "atlas.js"
+    path = tmp_path / "atlas.html"
+    body = f'<main>{ATLAS}</main><script src="{script.as_uri()}"></script>'
+    path.write_text(f'<!doctype html><meta charset="utf-8">{body}', encoding="utf-8")
+    page.goto("about:blank")
+    page.goto(path.as_uri())
+    page.fill("#atlas-search", words)
+    assert page.locator("ul.atlas > li:not([hidden]) a").all_text_contents() == shown
