@@ -35,6 +35,8 @@ CENTRAL = ("binomial(2*n, n)", "(gamma(2*n + 1)/gamma(n + 1)**2)")
 """How the evaluation at a point, for the estimate alone, reads binomial coefficients."""
 LIMIT, SHORTER = 20.0, 5.0
 """Seconds of processor time for a claim, and for a bound with one number."""
+SHARP = Fraction(102, 100)
+"""By how much the ends of a constant may differ that is quoted without a bound."""
 FILE = Path(reading.__file__).parent / "answers.json"
 
 
@@ -194,11 +196,17 @@ def main(words: list[str]) -> None:
             stored[entry.name] = found
             print(entry.name, *(part["verdict"] for part in found.values()), flush=True)
             write({name: stored[name] for name in everything if name in stored})
-        asked = [everything[name] for name in everything if "bound" not in stored[name]]
+        asked = [e for e in everything.values() if _needs_bound(stored[e.name])]
         for entry, found in zip(asked, pool.map(bound, asked), strict=True):
             stored[entry.name] |= found or {"bound": None}
             print(entry.name, *(part["verdict"] for part in found.values()), flush=True)
             write({name: stored[name] for name in everything})
+
+
+def _needs_bound(found: dict[str, Any]) -> bool:
+    """Whether no bound was looked for, and the answer itself has no sharp constant."""
+    low, high = map(Fraction, found["answer"].get("constant", ("0", "1")))
+    return "bound" not in found and high > SHARP * low
 
 
 def _is_new(entry: Entry, stored: dict[str, Any]) -> bool:

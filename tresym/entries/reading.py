@@ -116,6 +116,19 @@ class Entry:
             return None
         return number_of(self.floor.claim), number_of(self.bound.claim)
 
+    @property
+    def quoted(self) -> tuple[str, str, str] | None:
+        """The constant that is worth quoting, as an interval, and the region on which it holds.
+
+        It is that of the bound, else that of the answer if its ends differ by at most a factor 2.
+        """
+        if self.constant:
+            return *self.constant, self.region
+        if self.answer is None or self.answer.constant is None:
+            return None
+        low, high = self.answer.constant
+        return (low, high, self.answer.region) if float(high) <= 2 * float(low) else None
+
     def as_json(self) -> dict[str, Any]:
         """Return the entry for JSON."""
         found: dict[str, Any] = {
@@ -124,8 +137,8 @@ class Entry:
             "subject": SUBJECTS[self.subject],
             "claim": self.claim,
             "source": self.source,
-            "constant": list(self.constant) if self.constant else None,
-            "region": self.region if self.constant else None,
+            "constant": list(self.quoted[:2]) if self.quoted else None,
+            "region": self.quoted[2] if self.quoted else None,
         }
         for part in ("answer", "bound", "floor", "neighbour"):
             decided: Decided | None = getattr(self, part)
@@ -136,14 +149,11 @@ class Entry:
         lines = [f"{self.name}: {self.title}", f"  {self.claim}"]
         if self.answer:
             lines.append(f"  {self.answer.verdict.value}: {self.answer.why}")
-        if self.constant and self.bound:
-            low, high = self.constant
-            where = f" for {self.region}" if self.region else ""
+        if self.bound and self.floor:
             lines.append(f"  bound      {self.bound.claim}")
-            lines.append(f"  constant   between {low} and {high}{where}")
-        elif self.answer and self.answer.constant:
-            low, high = self.answer.constant
-            lines.append(f"  constant   between {low} and {high} for {self.answer.region}")
+        if self.quoted:
+            low, high, region = self.quoted
+            lines.append(f"  constant   between {low} and {high} for {region or 'all values'}")
         if self.neighbour:
             at = f" at {self.neighbour.witness}" if self.neighbour.witness else ""
             lines.append(f"  but not    {self.false} (false{at})")

@@ -29,7 +29,7 @@ def pages() -> Iterator[tuple[str, str]]:
 
 def index(known: tuple[Entry, ...], subjects: list[str]) -> str:
     """Write the list of all entries, which a script narrows to those that words describe."""
-    sharp = sum(entry.constant is not None for entry in known)
+    sharp = sum(entry.quoted is not None for entry in known)
     lines = [
         "# Atlas of asymptotics",
         f"{len(known)} expansions and bounds that people look up. Each is decided by tresym, with "
@@ -68,10 +68,10 @@ def section(entry: Entry) -> str:
         )
         bound = entry.bound.claim.partition(" given ")[0]
         parts.append(_display(bound.replace(f"({high})", "C", 1)))
-    elif entry.answer.constant:
-        low, high = entry.answer.constant
-        where = f" for ${_conditions(entry.answer.region)}$" if entry.answer.region else ""
-        parts.append(f"**Constant.** Between {low} and {high}{where}.")
+    elif entry.quoted:
+        low, high, region = entry.quoted
+        where = f" for ${_conditions(region)}$" if region else ""
+        parts.append(f"**Constant.** The smallest lies between {low} and {high}{where}.")
     parts.append(f"**But not** {_where(entry.neighbour)}")
     parts.append(_display(entry.false))
     parts.append(f"**Source.** {escaped(entry.source)}")
