@@ -278,7 +278,7 @@ def export(path: str, labels: Sequence[str], folder: str, force: bool) -> int:
     also gets ``index.json``, which says of each claim what came of it.
     """
     from tresym.coq.candidate_search import export as searched
-    from tresym.coq.claim_export import theorems
+    from tresym.coq.claim_export import theorems, theorems_of_parts
     from tresym.coq.statement import NotExportedError
     from tresym.papers.reading import PaperClaim
     from tresym.reals.decisions.claim_parsing import read
@@ -300,8 +300,14 @@ def export(path: str, labels: Sequence[str], folder: str, force: bool) -> int:
         name = re.sub(r"\W", "_", row.label)
         show_progress(f"{row.label} in Coq")
         try:
-            if not claim.links:
-                raise NotExportedError("claims made of claims are exported to Coq part by part")
+            if not (claim.links or claim.whole) or claim.assumed:
+                raise NotExportedError("labels and assumptions are not exported to Coq")
+            if claim.whole is not None:
+                accepted, says, text = astuple(searched(theorems_of_parts(claim.whole, name)))
+                if accepted is not False:
+                    files[os.path.join(folder, f"{name}.v")] = text
+                index[row.label] = {"accepted": accepted, "says": says}
+                continue
             found = [
                 theorem
                 for n, link in enumerate(claim.links, 1)

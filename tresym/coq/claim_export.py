@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from tresym.coq.bound_statements import BoundTheorem, bound_theorem
 from tresym.coq.statement import Condition, NotExportedError, Theorem
 from tresym.reals.decisions.claim_parsing import statement_of
@@ -10,7 +12,7 @@ from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language.binders import derivative, elementary
 from tresym.reals.language.claims import Written
 from tresym.reals.language.comparisons import Comparison
-from tresym.reals.language.compound import Compound, Equivalent, leaves
+from tresym.reals.language.compound import Compound, Equivalent, Formula, Together, leaves
 from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.language.formula import Relation
 
@@ -39,20 +41,21 @@ def theorems(statement: Statement, name: str = "claim") -> list[Theorem] | list[
 
 
 def theorems_of_parts(whole: Compound, name: str = "claim") -> list[Theorem] | list[BoundTheorem]:
-    """Return the theorems of a claim that is a conjunction of comparisons.
+    """Return the theorems of a conjunction of comparisons, or of an equivalence of them.
 
     Raises:
         NotExportedError: it is made of claims in another way, or a part is not exported yet.
     """
-    parts = list(leaves(whole.formula))
-    if isinstance(whole.formula, Equivalent) or not all(isinstance(p, Written) for p in parts):
+    parts = _implications(whole.formula)
+    if parts is None:
         raise NotExportedError(
-            "of claims made of claims only conjunctions of comparisons are exported to Coq yet"
+            "of claims made of claims conjunctions and equivalences of comparisons are exported to "
+            "Coq as yet"
         )
     found: list[Theorem] = []
     bounds: list[BoundTheorem] = []
     for n, part in enumerate(parts, 1):
-        for one in theorems(statement_of(part), f"{name}_{n}") if isinstance(part, Written) else ():
+        for one in theorems(statement_of(part), f"{name}_{n}"):
             if isinstance(one, Theorem):
                 found.append(one)
             else:
@@ -60,6 +63,24 @@ def theorems_of_parts(whole: Compound, name: str = "claim") -> list[Theorem] | l
     if found and bounds:
         raise NotExportedError("limits and inequalities at points are exported to Coq one by one")
     return found or bounds
+
+
+def _implications(formula: Formula) -> list[Written] | None:
+    """The comparisons of a conjunction, or those that an equivalence claims under one another."""
+    if isinstance(formula, Written):
+        return [formula]
+    if isinstance(formula, Equivalent):
+        parts = [[leaf for leaf in leaves(p) if isinstance(leaf, Written)] for p in formula.parts]
+        pairs = [*pairwise(parts), *((b, a) for a, b in pairwise(parts))]
+        return [
+            leaf._replace(given=(*leaf.given, *(link for other in a for link in other.comparisons)))
+            for a, b in pairs
+            for leaf in b
+        ]
+    if isinstance(formula, Together):
+        inner = [_implications(part) for part in formula.parts]
+        return None if None in inner else [leaf for part in inner for leaf in part or ()]
+    return None
 
 
 def theorem(claim: Comparison, given: tuple[Condition, ...] = (), name: str = "claim") -> Theorem:

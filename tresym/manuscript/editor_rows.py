@@ -67,7 +67,7 @@ def main() -> int:
     try:
         path, limit = Path(asked["path"]), float(asked["limit"])
         if path.suffix == ".tresym":
-            rows = claims_file_rows(path.name, asked["text"], limit)
+            rows = claims_file_rows(path.name, asked["text"], limit, path.parent)
         else:
             rows = editor_rows(path, asked["text"], limit)
         answer = {"rows": rows}

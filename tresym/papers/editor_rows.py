@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 from tresym.papers.reading import PaperClaim, read_paper
@@ -12,15 +13,18 @@ EXPECTED = "EXPECTED"
 """The statuses of a line that is not read, and of a claim that is refuted as the file expects."""
 
 
-def claims_file_rows(name: str, text: str, limit: float) -> list[dict[str, Any]]:
+def claims_file_rows(
+    name: str, text: str, limit: float, folder: Path | None = None
+) -> list[dict[str, Any]]:
     """Return a row for each line that cannot be read, each definition and each claim.
 
     Args:
         name: the name of the file.
         text: its text.
         limit: the seconds for each claim.
+        folder: where the files are that it uses.
     """
-    paper = read_paper(text, name)
+    paper = read_paper(text, name, folder)
     rows = [
         _row(problem.line, UNREADABLE, problem.message, text.split("\n")[problem.line - 1].strip())
         for problem in paper.problems
