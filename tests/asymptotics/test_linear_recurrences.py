@@ -32,8 +32,18 @@ def _rows() -> list[tuple[str, str]]:
     return [(kind, claim) for kind, _, claim in lines if kind in (*KINDS, REFUSED)]
 
 
-@pytest.mark.parametrize(("kind", "claim"), _rows())
+@pytest.mark.parametrize(("kind", "claim"), _rows()[::2])
 def test_claims_about_recurrences(kind: str, claim: str) -> None:
+    _decided_as(kind, claim)
+
+
+@pytest.mark.night
+@pytest.mark.parametrize(("kind", "claim"), _rows()[1::2])
+def test_more_claims_about_recurrences(kind: str, claim: str) -> None:
+    _decided_as(kind, claim)
+
+
+def _decided_as(kind: str, claim: str) -> None:
     if kind == REFUSED:
         with pytest.raises(InputError):
             decide_claim(claim)
