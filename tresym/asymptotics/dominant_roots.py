@@ -94,6 +94,6 @@ def largest_root(sequence: Solved) -> tuple[fmpq, fmpq] | None:
         total = sum((b * arb(v) for b, v in zip(quotient[1:], values, strict=False)), arb(0))
         if total.contains(0):
             return None
-        low = fmpq(int((rho * DIGITS).floor().lower().unique_fmpz() or 0) - 1, DIGITS)
-        high = fmpq(int((rho * DIGITS).ceil().upper().unique_fmpz() or 0) + 1, DIGITS)
+        low = fmpq(int((rho.lower() * DIGITS).floor().lower().unique_fmpz() or 0) - 1, DIGITS)
+        high = fmpq(int((rho.upper() * DIGITS).ceil().upper().unique_fmpz() or 0) + 1, DIGITS)
         return (low, high) if arb(low) < rho < arb(high) and low > 0 else None

@@ -394,7 +394,10 @@ def _disc(limit: fmpq | None, entire: list[Part], z: str) -> Nearest:
 
 def _below(x: arb) -> fmpq:
     """Return a rational at most ``x``, close to it."""
-    return fmpq(int((x * 2**30).floor().lower().unique_fmpz() or 0), 2**30)
+    found = (x.lower() * 2**30).floor().lower().unique_fmpz()
+    if found is None or found <= 0:
+        raise UnsupportedError("a singularity is not told from 0")
+    return fmpq(int(found), 2**30)
 
 
 def _no_others(part: Part, z: str, radius: fmpq) -> bool:
