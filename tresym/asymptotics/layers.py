@@ -44,7 +44,6 @@ from tresym.asymptotics.differential_problem import OpenError, Problem, problem_
 from tresym.asymptotics.explicit_claims import curve_of_claim
 from tresym.asymptotics.layer_constants import error_constant
 from tresym.asymptotics.layer_problems import (
-    TWO_LAYERS,
     Layer,
     at_point,
     kind_of,
@@ -580,7 +579,7 @@ def _points(layer: Layer, needs: Needs, given: Given, there: dict[str, fmpq]) ->
     width = fmpq(layer.width, layer.reader.q)
     for s in (fmpq(1), fmpq(1, 3)):
         step = number(s) * symbol(layer.reader.small) ** number(width)
-        for end in (0, 1) if layer.kind == TWO_LAYERS else (0,):
+        for end in (0,) if layer.high is None else (0, 1):
             if needs.near[end]:
                 yield layer.end(end) + (step if (end == 0) != layer.mirrored else -step)
 
