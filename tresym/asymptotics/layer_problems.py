@@ -170,10 +170,10 @@ def layer_of(
     if small not in set().union(*map(symbols, (*parts, free))):
         return None
     plain = _without_small(problem, statement, small)
-    fixed, inside, low, high, missing = _interval(problem, plain)
+    fixed, inside, low, high, missing = interval_of(problem, plain)
     values = [v.value for v in problem.given]
     reader = Reader(x, small, inside, [*parts, free, *values, *more])
-    read = [_smooth_part(reader, part, inside) for part in (*parts, free)]
+    read = [smooth_part(reader, part, inside) for part in (*parts, free)]
     n = -min((p.power for p in read if p.factor != ZERO), default=0)
     if n <= 0:
         return None
@@ -253,7 +253,7 @@ def _without_small(problem: Problem, statement: Statement, small: str) -> Given:
     return Given(tuple(link for link in links if link not in tied))
 
 
-def _interval(problem: Problem, plain: Given) -> tuple[Given, Given, Expr, Expr | None, bool]:
+def interval_of(problem: Problem, plain: Given) -> tuple[Given, Given, Expr, Expr | None, bool]:
     """Return the conditions without x and with it, the ends, and whether none speaks of x."""
     x = symbol(problem.time)
     if not problem.is_initial:
@@ -295,7 +295,12 @@ def small_is_bounded(link: tuple[Expr, str, Expr], small: str) -> bool:
     return sign(gap, near, ">") not in PROVING[">"]
 
 
-def _smooth_part(reader: Reader, e: Expr, inside: Given) -> Part:
+def smooth_part(reader: Reader, e: Expr, inside: Given) -> Part:
+    """Return a coefficient of an equation as a power of t times a factor that is smooth at 0.
+
+    Raises:
+        OpenError: it has another form.
+    """
     found = reader.read(e)
     if found and set(found) != {()}:
         raise OpenError(

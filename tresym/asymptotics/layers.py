@@ -42,10 +42,12 @@ from tresym.asymptotics.composites import Composite
 from tresym.asymptotics.constants import rounded
 from tresym.asymptotics.differential_problem import OpenError, Problem, problem_of, residuals
 from tresym.asymptotics.explicit_claims import curve_of_claim
+from tresym.asymptotics.fast_oscillations import decide_oscillation
 from tresym.asymptotics.layer_constants import error_constant
 from tresym.asymptotics.layer_problems import (
     Layer,
     at_point,
+    interval_of,
     kind_of,
     layer_of,
     layer_parameters,
@@ -124,10 +126,46 @@ def decide_layers(claim: Comparison, statement: Statement, decided: Decide) -> A
     try:
         return _decide(claim, statement, decided)
     except OpenError:
-        found = _by_exact_equation(claim, statement, decided)
+        found = _by_exact_equation(claim, statement, decided) or _as_oscillation(claim, statement)
         if found is None:
             raise
         return found
+
+
+def _as_oscillation(claim: Comparison, statement: Statement) -> Answer | None:
+    """Decide an order for an initial value problem with a fast oscillation."""
+    path = statement.path
+    if path is None or path.point not in (None, ZERO) or path.sides != (1,):
+        return None
+    if claim.relation == "~" or statement.uniformly:
+        return None
+    changed, small, put = _with_small(statement, path)
+    claim = claim.mapped(put)
+    problem = problem_of(changed)
+    if not problem.is_initial or [n for _, n in sorted(problem.state)] != [0, 1]:
+        return None
+    plain = Given(
+        tuple(c for c in changed.given.comparisons if symbols(c[0]) | symbols(c[2]) != {small})
+    )
+    fixed, inside, _, _, missing = interval_of(problem, plain)
+    if missing:
+        raise OpenError(f"say that {problem.time} >= {problem.start}")
+    name, _ = min(problem.state)
+    y = curve_of_claim(claim, problem)[problem.state[name, 0]]
+    gauge = claim.right if claim.relation != "->" else ONE
+    strict = claim.relation != "O"
+    return decide_oscillation(y, gauge, strict, problem, small, inside, fixed)
+
+
+def _with_small(statement: Statement, path: Path) -> tuple[Statement, str, Callable[[Expr], Expr]]:
+    """Return the statement with a small positive parameter, and how a large one is replaced."""
+    small, put = path.name, partial(substitute, mapping={})
+    if path.point is None:
+        small = small_for(path.name)
+        put = partial(substitute, mapping={path.name: 1 / symbol(small)})
+    changed = replace(statement.mapped(put), path=None)
+    positive = changed.given & Given(((symbol(small), ">", ZERO),))
+    return replace(changed, given=positive), small, put
 
 
 def _by_exact_equation(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
@@ -226,14 +264,9 @@ def _read(
     path = statement.path
     if path is None or path.point not in (None, ZERO) or not statement.equations:
         return None
-    small, put = path.name, partial(substitute, mapping={})
-    if path.point is None:
-        small = small_for(path.name)
-        put = partial(substitute, mapping={path.name: 1 / symbol(small)})
-    changed = replace(statement.mapped(put), path=None)
-    positive = changed.given & Given(((symbol(small), ">", ZERO),))
+    changed, small, put = _with_small(statement, path)
     try:
-        problem = problem_of(replace(changed, given=positive))
+        problem = problem_of(changed)
     except OpenError:
         return None
     if path.name == problem.time or [n for _, n in sorted(problem.state)] not in ([0], [0, 1]):

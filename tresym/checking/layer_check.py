@@ -23,6 +23,8 @@ LENGTH = 2.0
 """How far initial value problems are solved."""
 STEP = 0.06
 """The step for oscillations."""
+RESOLVED = 0.3
+"""The most that the phase of an oscillation may change in one step."""
 FIRST = 1e-4
 """The first step, as a multiple of the small parameter."""
 
@@ -186,6 +188,9 @@ def _marched(
         g = -free / factors[-1]
     if not all(np.isfinite(part).all() for part in (a, b, g)):
         raise UnsupportedError
+    turning = np.where(a**2 + 4 * b < 0, -b, 0)[1:]
+    if len(marks) == 3 and (np.diff(points) ** 2 * turning).max() > RESOLVED**2:
+        raise UnsupportedError  # an oscillation is not resolved
     steps = np.diff(points).tolist()
     rows = list(zip(a.tolist(), b.tolist(), g.tolist(), strict=True))
     found = [values[0]]
