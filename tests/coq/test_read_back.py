@@ -10,17 +10,25 @@ import re
 from functools import reduce
 from hashlib import sha256
 from itertools import chain
+from pathlib import Path
 from typing import Any
 
+import pytest
+from cases import cases
 from coq_terms import Terms
 from flint import arb
 
+from tresym.coq.bound_statements import BoundTheorem
+from tresym.coq.claim_export import theorems
 from tresym.coq.ledger_statements import Joint, theorem_of
 from tresym.coq.statement import NotExportedError, Theorem, variable
 from tresym.coq.theorem_trees import Every, Fails, Formula, One, Some, Wherever, values_of
 from tresym.ledger.paper import all_claims
+from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import outermost
+from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import LIMIT
 from tresym.reals.language.expression import Expr, instantiate, replaced, symbol, symbols
 from tresym.reals.language.formula import Conjunction, Equivalence
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -298,3 +306,166 @@ def test_the_reader_tells_statements_apart() -> None:
             raise AssertionError(other)
         renamed = "forall x : R, x > 0 -> is_RInt (fun s : R => s * x) 0 1 (x / 2)"
         assert same(one, read_back(renamed)) > 3
+
+
+# Orders and limits along a path, of ``test_orders.py``.
+
+
+class PathReader(Reader):
+    """The reader of propositions, with filters, limits and sequences."""
+
+    def proposition(self) -> Any:
+        if self.peek() in ("forall", "exists") and self._kind() == "nat":
+            kind, names = self.take(), []
+            while self.peek() != ":":
+                names.append(self.take())
+            self.take(), self.take("nat"), self.take(",")
+            return (kind, tuple(names), self.proposition())
+        return super().proposition()
+
+    def _kind(self) -> str:
+        place = self.place
+        while self.tokens[place] != ":":
+            place += 1
+        return self.tokens[place + 1]
+
+    def unit(self) -> Any:
+        if self.peek() == "filterlim":
+            self.take()
+            inner, where = self.function(), self.filter()
+            self.take("("), self.take("Rbar_locally")
+            return ("limit", where, inner, self.extended())
+        if self.peek() == "eventually" or self.peek(1) in FILTERS:
+            return ("near", self.filter(), self.held())
+        return super().unit()
+
+    def held(self) -> Any:
+        """A property of the variable of the path."""
+        self.take("("), self.take("fun")
+        name = self.take()
+        self.take(":"), self.take("R", "nat"), self.take("=>")
+        found = self.proposition()
+        self.take(")")
+        return (name, found)
+
+    def function(self) -> Any:
+        """A function of the variable of the path, at the value that its name has."""
+        self.take("("), self.take("fun")
+        name = self.take()
+        self.take(":"), self.take("R", "nat"), self.take("=>")
+        value = self.sum()
+        self.take(")")
+        return (name, value)
+
+    def filter(self) -> Any:
+        if self.peek() == "eventually":
+            return (self.take(),)
+        self.take("(")
+        kind = self.take(*FILTERS)
+        at = self.take() if self.peek() in ("p_infty", "m_infty") else self.atom()
+        self.take(")")
+        return (kind, at)
+
+    def extended(self) -> Any:
+        if self.peek() in ("p_infty", "m_infty"):
+            found = self.take()
+        else:
+            self.take("("), self.take("Finite")
+            found = self.atom()
+            self.take(")")
+        self.take(")")
+        return found
+
+    def factor(self) -> arb:
+        if self.peek() in ("/", "-"):
+            return super().factor()
+        base = self.application()
+        if self.peek() == "^":
+            self.take()
+            exponent = self.take()
+            return base ** (int(exponent) if exponent.isdigit() else self.named(exponent))
+        return base
+
+    def application(self) -> arb:
+        if self.peek() == "INR":
+            self.take()
+            return self.atom()
+        return super().application()
+
+
+ORDERS = [
+    claim
+    for truth in ("TRUE", "FALSE")
+    for claim in cases(str(Path(__file__).with_name("test_orders.py")), truth)
+]
+FILTERS = ("locally'", "at_right", "at_left", "Rbar_locally")
+
+
+def path_theorem(claim: str) -> BoundTheorem:
+    (found,) = theorems(read(claim))
+    assert isinstance(found, BoundTheorem)
+    return found
+
+
+def end(claim: str, sequence: bool) -> Any:
+    """The filter of the path of a claim."""
+    path = read(claim).path
+    assert path is not None
+    if sequence:
+        return ("eventually",)
+    if path.point is None:
+        return ("Rbar_locally", "p_infty" if path.sides[0] > 0 else "m_infty")
+    kinds = {(1,): "at_right", (-1,): "at_left"}
+    return (kinds.get(path.sides, "locally'"), meant(path.point))
+
+
+def said(claim: str) -> Any:
+    """What the last part of a theorem has to say, from the claim."""
+    (found,), path = read(claim).comparisons, read(claim).path
+    assert path is not None
+    sequence = f"{path.name} in integers" in claim
+    where, name = end(claim, sequence), variable(path.name)
+    left = meant(found.left)
+    if found.relation == LIMIT:
+        ends = {INFINITY: "p_infty", -INFINITY: "m_infty"}
+        value = ends[found.right] if found.right in ends else meant(found.right)
+        return ("limit", where, (name, left), value)
+    f, g = abs(left), abs(meant(found.right))
+    c, k, eps = map(value_of, ("C", "c", "eps"))
+
+    def near(held: Any) -> Any:
+        return ("near", where, (name, held))
+
+    every = ("forall", ("eps",))
+    match found.relation:
+        case "O":
+            return ("exists", ("C",), near(("<=", f, c * g)))
+        case "o":
+            return (*every, ("->", ("<", arb(0), eps), near(("<=", f, eps * g))))
+        case "~":
+            gap = abs(left - meant(found.right))
+            return (*every, ("->", ("<", arb(0), eps), near(("<=", gap, eps * g))))
+        case "Theta":
+            both = ("and", [("<=", k * g, f), ("<=", f, c * g)])
+            return ("exists", ("c", "C"), ("and", [("<", arb(0), k), near(both)]))
+        case "omega":
+            return ("forall", ("C",), near(("<", c * g, f)))
+    raise AssertionError(found.relation)
+
+
+@pytest.mark.parametrize("claim", ORDERS)
+def test_a_statement_says_what_the_claim_says(claim: str) -> None:
+    with ball_precision(120):
+        reader = PathReader(path_theorem(claim).body)
+        found = reader.proposition()
+        assert not reader.peek()
+        while found[0] == "forall" and found[1] not in (("eps",), ("C",)):
+            found = found[2]
+        given = read(claim).given.comparisons
+        for left, sign, right in given:
+            assert same(found[1], (sign, meant(left), meant(right))) > 0
+            found = found[2]
+        while found[0] == "->":  # that parameters make sense
+            found = found[2]
+        last = found[1][-1] if found[0] == "and" else found
+        assert same(last, said(claim)) > 0

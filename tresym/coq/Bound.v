@@ -459,11 +459,11 @@ Ltac equal_numbers :=
 Ltac equal_limits := apply f_equal; equal_numbers.
 Ltac product_value := first
   [ reflexivity
-  | apply is_Rbar_mult_p_infty_pos; simpl; side | apply is_Rbar_mult_p_infty_neg; simpl; side
-  | apply is_Rbar_mult_m_infty_pos; simpl; side | apply is_Rbar_mult_m_infty_neg; simpl; side
+  | apply is_Rbar_mult_p_infty_pos; simpl; first [side | interval] | apply is_Rbar_mult_p_infty_neg; simpl; first [side | interval]
+  | apply is_Rbar_mult_m_infty_pos; simpl; first [side | interval] | apply is_Rbar_mult_m_infty_neg; simpl; first [side | interval]
   | apply is_Rbar_mult_sym; first
-      [ apply is_Rbar_mult_p_infty_pos; simpl; side | apply is_Rbar_mult_p_infty_neg; simpl; side
-      | apply is_Rbar_mult_m_infty_pos; simpl; side | apply is_Rbar_mult_m_infty_neg; simpl; side ] ].
+      [ apply is_Rbar_mult_p_infty_pos; simpl; first [side | interval] | apply is_Rbar_mult_p_infty_neg; simpl; first [side | interval]
+      | apply is_Rbar_mult_m_infty_pos; simpl; first [side | interval] | apply is_Rbar_mult_m_infty_neg; simpl; first [side | interval] ] ].
 Ltac apart_ := cbv beta; pose proof pi_between;
   first
     [ side | nra
@@ -505,7 +505,14 @@ Ltac equal_near := cbv beta; pose proof pi_between; merge; exp_minus; exp_apart;
   | unfold Rpower, tan, cot, sec, csc; rewrite ?exp_Ropp, ?exp_plus; first [ring | field; repeat split; first [apply Rgt_not_eq, exp_pos | apart_]]
   | rewrite Rpower_less by apart_; field; repeat split; apart_
   | unfold tan; match goal with |- context [sin ?u] => field [(sin_square u)]; repeat split; apart_ end
-  | f_equal; solve [ring | field; repeat split; apart_] ].
+  | f_equal; solve [ring | field; repeat split; apart_]
+  | unfold Rpower; rewrite <- ?exp_Ropp, <- ?exp_plus; f_equal; ring
+  | match goal with |- context [sqrt ?u] =>
+      let P := fresh in let E := fresh in let g := fresh in
+      assert (P : 0 < sqrt u) by (apply sqrt_lt_R0; apart_);
+      assert (E : sqrt u ^ 2 = u) by (apply pow2_sqrt; apart_);
+      set (g := sqrt u) in *; clearbody g; field [E]; repeat split; apart_
+    end ].
 Ltac slope_near := eapply d_eq; [derive; cbv beta; apart_ | tidy; first [equal_near | slope]].
 Ltac bounded_near := cbv beta; apply Rabs_le; first [apply SIN_bound | apply COS_bound | split; apart_].
 Ltac ends_here := cbv beta in *; unfold Rmin, Rmax in *;

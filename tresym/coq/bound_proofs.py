@@ -21,6 +21,7 @@ from tresym.coq.bound_statements import (
 from tresym.coq.claim_export import theorem
 from tresym.coq.equations import exchanged, nodes
 from tresym.coq.limit_proofs import Limits, StuckLimitError
+from tresym.coq.order_proofs import path_proofs
 from tresym.coq.statement import ATOM, Theorem, term, variable
 from tresym.coq.theorem_trees import inside
 from tresym.reals.decisions.antiderivatives import suggested
@@ -55,7 +56,7 @@ def bound_proofs(theorem: BoundTheorem, prove: Prove) -> Iterator[str]:
     if no_search(theorem) is not None:
         return
     if theorem.statement.path is not None:
-        yield from _of_limit(theorem)
+        yield from path_proofs(theorem, _intros(theorem))
         return
     (node,) = _bound_nodes(theorem)
     value = claim.right if node == claim.left else claim.left
@@ -167,21 +168,6 @@ def _exponents(e: Expr) -> Expr:
     """Return the sum of the exponents in ``e`` that are not numbers."""
     found = [node.args[1] for node in nodes([e]) if node.op == "^" and node.args[1].op != "number"]
     return Expr("+", (ZERO, *found))
-
-
-def _of_limit(theorem: BoundTheorem) -> Iterator[str]:
-    claim, path = theorem.claim, theorem.statement.path
-    assert path is not None
-    head = _intros(theorem)
-    for radius in ("1", "(1 / 4)", "(1 / 100)"):
-        beyond = {"1": "1", "(1 / 4)": "5", "(1 / 100)": "100"}[radius]
-        limits = Limits(theorem.statement.given, radius, beyond)
-        try:
-            script = limits.along(claim.left, path, claim.right)
-        except StuckLimitError:
-            continue
-        defined = f"{limits.defined(path)} repeat split; apart_."
-        yield head + _split(theorem, defined, script)
 
 
 def _of_integral(bound: BoundTheorem, node: Expr, value: Expr, prove: Prove) -> Iterator[str]:

@@ -8,7 +8,7 @@ parameters alone, which are premises. Integer variables are natural numbers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from tresym.coq.statement import ATOM, NotExportedError, comparison, condition, term, variable
@@ -92,13 +92,23 @@ def bound_theorem(claim: Comparison, statement: Statement, name: str) -> BoundTh
     sides = [e for x, _, y in conditions for e in (x, y)]
     implied = implied_integers([claim.left, claim.right, *sides], statement.integers)
     whole = {name for name in implied if name in symbols(claim.left) | symbols(claim.right)}
-    if whole and statement.path is not None:
-        raise NotExportedError("a limit of a sequence cannot be exported to Coq yet")
     path = statement.path
-    says = _limit(claim, path) if path is not None else _related(claim, frozenset(whole))
+    if path is not None and _alternates(claim, path.name):
+        whole.add(path.name)
+    if path is not None and whole - {path.name}:
+        raise NotExportedError("limits with integers as parameters cannot be exported to Coq yet")
+    if path is not None and path.expression is not None:
+        raise NotExportedError("a path of an expression cannot be exported to Coq yet")
+    if statement.uniformly:
+        raise NotExportedError("one constant for all parameters cannot be exported to Coq yet")
+    says = _along(claim, path, whole) if path is not None else _related(claim, frozenset(whole))
     other = [e for e in (claim.left, claim.right) if path is None or path.name not in symbols(e)]
     names = {node: ZERO for node in nodes if node.op != "unknown"}
     other = [replaced(e, names) for e in other if e not in (INFINITY, MINUS_INFINITY)]
+    if path is not None and path.point is not None:
+        other.append(path.point)
+    if path is not None and any(path.name in symbols(e) for e in sides):
+        raise NotExportedError("conditions on the variable of the path cannot be exported to Coq")
     parts = needs([naturally(e, whole) for e in (*other, *sides)])
     premises = [
         comparison(naturally(x, whole), sign, naturally(y, whole)) for x, sign, y in conditions
@@ -107,13 +117,14 @@ def bound_theorem(claim: Comparison, statement: Statement, name: str) -> BoundTh
     premises += [p for node in nodes if node.op == "sum" for p in _counted(node, frozenset(whole))]
     used = symbols(claim.left) | symbols(claim.right) | frozenset().union(*map(symbols, sides))
     used |= symbols(path.point) if path is not None and path.point is not None else frozenset()
-    reals = used - whole - {"oo"} - ({path.name} if path is not None else set())
+    bound = {path.name} if path is not None else set()
+    reals = used - whole - {"oo"} - bound
     return BoundTheorem(
         name,
         claim,
         statement,
         tuple(sorted(reals)),
-        tuple(sorted(whole)),
+        tuple(sorted(whole - bound)),
         tuple(dict.fromkeys(premises)),
         tuple(says),
     )
@@ -300,17 +311,64 @@ def extended(e: Expr) -> str:
     return infinite.get(e) or f"(Finite {term(e, ATOM)})"
 
 
-def _limit(claim: Comparison, path: Path) -> list[str]:
-    """Return that the limit is this, and that the function is defined near the point."""
-    if claim.relation != LIMIT:
-        raise NotExportedError("orders are not exported to Coq yet")
-    if not elementary(claim.left):
+ORDERS = {
+    "O": ("exists C : R, ", "Rabs ({f}) <= C * Rabs ({g})"),
+    "o": ("forall eps : R, 0 < eps -> ", "Rabs ({f}) <= eps * Rabs ({g})"),
+    "~": ("forall eps : R, 0 < eps -> ", "Rabs ({f} - ({g})) <= eps * Rabs ({g})"),
+    "Theta": (
+        "exists c C : R, 0 < c /\\ ",
+        "c * Rabs ({g}) <= Rabs ({f}) /\\ Rabs ({f}) <= C * Rabs ({g})",
+    ),
+    "omega": ("forall C : R, ", "C * Rabs ({g}) < Rabs ({f})"),
+}
+"""What an order says: for which constants, and the inequality near the end of the path."""
+
+
+def whole_filter(path: Path, whole: Iterable[str]) -> tuple[str, str]:
+    """Return the filter of a path, and the kind of its variable; sequences have natural numbers."""
+    if path.name not in whole:
+        return filter_of(path), "R"
+    if path.point is not None or path.sides[0] < 0:
+        raise NotExportedError("a sequence must tend to infinity to be exported to Coq")
+    return "eventually", "nat"
+
+
+def _alternates(claim: Comparison, name: str) -> bool:
+    """Return whether a power is real only where the variable is an integer, such as (-1)**n."""
+    return any(
+        e.op == "^"
+        and e.args[0].op == "number"
+        and e.args[0].args[0] < 0
+        and name in symbols(e.args[1])
+        for e in _nodes([claim.left, claim.right])
+    )
+
+
+def _nodes(expressions: Iterable[Expr]) -> Iterator[Expr]:
+    """Yield all parts of expressions."""
+    for e in expressions:
+        yield e
+        if e.op not in LEAVES:
+            yield from _nodes(arg for arg in e.args if isinstance(arg, Expr))
+
+
+def _along(claim: Comparison, path: Path, whole: Iterable[str]) -> list[str]:
+    """Return a limit or an order, and that both sides are defined near the end of the path."""
+    sides = [claim.left] if claim.relation == LIMIT else [claim.left, claim.right]
+    if any(node.op != "unknown" for node in outermost(*sides)):
         raise NotExportedError("a limit of integrals or sums cannot be exported to Coq yet")
-    x, where = variable(path.name), filter_of(path)
-    parts = [condition(*p) for p in needs([claim.left]) if path.name in symbols(p[0])]
-    said = [f"{where} (fun {x} : R => {AND.join(parts)})"] if parts else []
-    return [
-        *said,
-        f"filterlim (fun {x} : R => {term(claim.left)}) {where} "
-        f"(Rbar_locally {extended(claim.right)})",
-    ]
+    if claim.relation not in (*ORDERS, LIMIT):
+        raise NotExportedError(f"{claim.relation} along a path cannot be exported to Coq yet")
+    x, (where, kind) = variable(path.name), whole_filter(path, whole)
+    sides = [naturally(e, whole) for e in sides]
+    parts = [condition(*p) for p in needs(sides) if path.name in symbols(p[0])]
+    said = [f"{where} (fun {x} : {kind} => {AND.join(parts)})"] if parts else []
+    f, *g = map(term, sides)
+    if not g:
+        tends = f"filterlim (fun {x} : {kind} => {f}) {where} "
+        return [*said, f"{tends}(Rbar_locally {extended(claim.right)})"]
+    if {"C", "c", "eps"} & (symbols(claim.left) | symbols(claim.right)):
+        raise NotExportedError("a variable with this name cannot be exported to Coq in an order")
+    constants, inequality = ORDERS[claim.relation]
+    near = inequality.format(f=f, g=g[0])
+    return [*said, f"{constants}{where} (fun {x} : {kind} => {near})"]

@@ -78,7 +78,8 @@ def export(theorems: Sequence[Theorem | BoundTheorem], seconds: float = 120) -> 
         found = [next(proofs(theorem), None) for theorem in theorems]
         return Outcome(None, MISSING, file_of(theorems, found))
     found = []
-    with Dialogue(lemmas=HEAD + bound(theorems)) as coq:
+    lemmas = HEAD + bound(theorems)
+    with Dialogue(lemmas=lemmas) as coq:
         coq.begin()
         deadline = time.monotonic() + seconds
         for theorem in theorems:
@@ -88,8 +89,9 @@ def export(theorems: Sequence[Theorem | BoundTheorem], seconds: float = 120) -> 
                 return Outcome(False, says, file_of(theorems, found))
             found.append(proof)
     text = file_of(theorems, found)
-    # Coq reads the same text as a compiled file; it is long, and compiled once for all claims.
-    accepted, output, took = run(HEAD + proved(theorems, found), seconds, library())
+    # Coq reads the lemmas as compiled files; they are long, and compiled once for all claims.
+    start = HEAD + "Require Import Racket.\n"
+    accepted, output, took = run(start + proved(theorems, found), seconds, library(lemmas))
     if not accepted:
         return Outcome(False, f"Coq does not accept the proof ({output})", text)
     return Outcome(
@@ -98,19 +100,23 @@ def export(theorems: Sequence[Theorem | BoundTheorem], seconds: float = 120) -> 
 
 
 def bound(theorems: Iterable[Theorem | BoundTheorem]) -> str:
-    """Return the text of ``Bound.v`` if one of the theorems needs it."""
-    needed = any(isinstance(theorem, BoundTheorem) for theorem in theorems)
-    return files("tresym.coq").joinpath("Bound.v").read_text(encoding="utf-8") if needed else ""
+    """Return the texts of ``Bound.v`` and ``Orders.v`` if one of the theorems needs them."""
+    found = [theorem for theorem in theorems if isinstance(theorem, BoundTheorem)]
+    names = ["Bound.v"] if found else []
+    names += ["Orders.v"] if any(theorem.statement.path for theorem in found) else []
+    texts = (files("tresym.coq").joinpath(name).read_text(encoding="utf-8") for name in names)
+    return "\n".join(texts)
 
 
 def file_of(theorems: Sequence[Theorem | BoundTheorem], found: Sequence[str | None]) -> str:
     """Return the file: prelude, statements, proofs, and ``Print Assumptions`` commands."""
-    return f"(* Written by tresym. *)\n\n{prelude()}\n{proved(theorems, found)}"
+    parts = ["(* Written by tresym. *)\n", prelude(), bound(theorems), proved(theorems, found)]
+    return "\n".join(parts)
 
 
 def proved(theorems: Sequence[Theorem | BoundTheorem], found: Sequence[str | None]) -> str:
-    """Return what follows the prelude in the file."""
-    parts = [bound(theorems)]
+    """Return the theorems with their proofs, which follow the lemmas in the file."""
+    parts = []
     for theorem, proof in zip(theorems, found, strict=False):
         if proof is not None:
             parts.append(

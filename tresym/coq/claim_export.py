@@ -27,16 +27,23 @@ def theorems(statement: Statement, name: str = "claim") -> list[Theorem] | list[
     Raises:
         NotExportedError: this kind of claim cannot be exported yet.
     """
-    if statement.equations:
-        raise NotExportedError("conditions that are equations are not exported to Coq yet")
     count = len(statement.comparisons)
     names = [name] if count == 1 else [f"{name}_{n + 1}" for n in range(count)]
     pairs = [*zip(statement.comparisons, names, strict=True)]
-    if statement.path is not None or not all(elementary(c.left, c.right) for c, _ in pairs):
+    bound = statement.path is not None or not all(elementary(c.left, c.right) for c, _ in pairs)
+    if statement.equations and (
+        bound or not elementary(*(side for pair in statement.equations for side in pair))
+    ):
+        raise NotExportedError(
+            "conditions that are equations are exported to Coq only for inequalities and equations "
+            "of elementary functions"
+        )
+    if bound:
         return [bound_theorem(comparison, statement, name) for comparison, name in pairs]
     if statement.integers:
         raise NotExportedError("claims about integers without a sum are not exported to Coq yet")
-    given = statement.given.comparisons
+    equal = ((left, "==", right) for left, right in statement.equations)
+    given = (*statement.given.comparisons, *equal)
     return [theorem(comparison, given, name) for comparison, name in pairs]
 
 

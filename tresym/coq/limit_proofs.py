@@ -102,7 +102,7 @@ class Limits:
                 start = f"apply ends_{'right' if side > 0 else 'left'}.\n"
             plain = substitute(e, {path.name: moved})
             if path.point is None and side < 0:
-                plain = _simplified(plain)
+                plain = simplified(plain)
             body = self.tends(plain, value)
             fun = f"(fun t : R => {term(plain)})"
             scripts.append(
@@ -286,11 +286,11 @@ class Limits:
         for part in e.args:
             others = [multiply(arg, Expr("^", (part, MINUS_ONE))) for arg in e.args]
             try:
-                limits = [self.limit(arg) for arg in map(_simplified, others)]
+                limits = [self.limit(arg) for arg in map(simplified, others)]
             except StuckLimitError:
                 continue
             if not any(limit in INFINITE for limit in limits) and sum(map(_size, limits)) != 0:
-                return Expr("*", (part, Expr("+", tuple(map(_simplified, others)))))
+                return Expr("*", (part, Expr("+", tuple(map(simplified, others)))))
         raise StuckLimitError
 
     def quotient(self, e: Expr) -> tuple[Expr, Expr]:
@@ -322,7 +322,7 @@ class Limits:
         small = [arg for arg in e.args if self.limit(arg) == ZERO]
         large = [arg for arg in e.args if arg not in small]
         if small and large:
-            return multiply(*small), _simplified(Expr("^", (multiply(*large), MINUS_ONE)))
+            return multiply(*small), simplified(Expr("^", (multiply(*large), MINUS_ONE)))
         raise StuckLimitError
 
     def hopital(self, n: Expr, d: Expr, value: Expr) -> str:
@@ -333,7 +333,7 @@ class Limits:
             n, d = -n, -d
         large = self.limit(d) in INFINITE
         dn, dd = differentiate(n, "t"), differentiate(d, "t")
-        after = _simplified(multiply(dn, Expr("^", (dd, MINUS_ONE))))
+        after = simplified(multiply(dn, Expr("^", (dd, MINUS_ONE))))
         texts = " ".join(f"(fun t : R => {term(part)})" for part in (n, d, dn, dd))
         whole = f"(fun t : R => {term(n, 2)} * / {term(d, ATOM)})"
         rule = f"hopital_{'infinite' if large else '0'}{'_far' if self.far else ''}"
@@ -377,7 +377,7 @@ def _has(e: Expr, op: str) -> bool:
     return e.op == op or (e.op not in LEAVES and any(_has(arg, op) for arg in e.args))
 
 
-def _simplified(e: Expr) -> Expr:
+def simplified(e: Expr) -> Expr:
     """Return ``e`` as SymPy simplifies it; Coq proves that it is equal."""
     import sympy
 

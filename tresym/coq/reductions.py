@@ -76,7 +76,7 @@ def reductions(theorem: Theorem) -> Iterator[Reduction]:
         small, great = theorem.left, theorem.right
     relation = "<" if theorem.relation in ("<", ">") else "<="
     t = stated(theorem, small, relation, great)
-    found = list(by_absolute_values(t))
+    found = [*by_two_sides(t), *by_absolute_values(t)]
     yield from found
     if found:
         return
@@ -84,6 +84,18 @@ def reductions(theorem: Theorem) -> Iterator[Reduction]:
         for way in ways(t):
             if all(map(is_likely, way.steps)):
                 yield way
+
+
+def by_two_sides(t: Theorem) -> Iterator[Reduction]:
+    """Bound an absolute value alone on its side from both sides: -v <= u <= v."""
+    if t.left.op != "abs":
+        return
+    (u,) = t.left.args
+    v, law = t.right, "Rabs_le; split" if t.relation == "<=" else "Rabs_def1"
+    yield Reduction(
+        (stated(t, multiply(number(-1), v), t.relation, u), stated(t, u, t.relation, v)),
+        f"assert (sides : {term(t.left)} {t.relation} {term(v)}) by (apply {law}; lra). lra.",
+    )
 
 
 def by_absolute_values(t: Theorem) -> Iterator[Reduction]:
