@@ -14,12 +14,14 @@ from pathlib import Path
 import pytest
 
 import tresym
+from tresym.papers.reading import read_paper
+from tresym.papers.verification import verify_paper
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 DATA = Path(__file__).parent / "data"
 LISTS = ("claims/orders.txt", "claims/inequalities.txt", "claims/special.txt")
-EACH = 12
+EACH = 9
 """Claims that are taken from each list; another seed takes others."""
 LEAST_ALIKE = 0.9
 _RELATION = re.compile(r" (==|<=|>=|<|>) ")
@@ -37,6 +39,16 @@ def _parts(claim: str) -> tuple[str, str, str, str] | None:
 def renamed(claim: str) -> str:
     """Call the variable x u."""
     return re.sub(r"(?<![\w.])x(?!\w)", "u", claim)
+
+
+def with_letter_e(claim: str) -> str:
+    """Call the variable x e, which is not Euler's number."""
+    return re.sub(r"(?<![\w.])x(?!\w)", "e", claim)
+
+
+def with_gamma(claim: str) -> str:
+    """Write gamma for Euler's constant."""
+    return claim.replace("EulerGamma", "gamma") if " gamma(" not in f" {claim}" else claim
 
 
 def exchanged(claim: str) -> str:
@@ -79,6 +91,8 @@ def inverted(claim: str) -> str:
 
 SPELLINGS: list[Callable[[str], str]] = [
     renamed,
+    with_letter_e,
+    with_gamma,
     exchanged,
     moved,
     gammas,
@@ -93,12 +107,30 @@ TWINS = (
     ),
     ("sin(x) ~ x*(1 - x**2/7) as x -> 0", "sin(x) ~ x - x**3/7 as x -> 0"),
     ("φ == ϕ", r"\phi = \varphi"),
+    (
+        "sum(1/k, k, 1, n) == log(n) + EulerGamma + 1/n + O(1/n**2) as n -> oo",
+        r"\sum_{k=1}^n \frac1k = \ln n + \gamma + \frac1n + O(1/n^2) \text{ as } n \to \infty",
+    ),
     ("x >= 0 given y > 0, x real", "x >= 0 for each x and each y > 0"),
     (
         "-integral(log(t**2 + e**2), t, 1, 0) == -2 + O(e**2) as e -> 0+",
         "integral(log(t**2 + e**2), t, 0, 1) == -2 + O(e**2) as e -> 0+",
     ),
 )
+
+
+TRUE_TWINS = (
+    (
+        "sum(1/k, k, 1, n) == log(n) + EulerGamma + 1/(2*n) + O(1/n**2) as n -> oo",
+        r"\sum_{k=1}^n \frac1k = \ln n + \gamma + \frac1{2n} + O(1/n^2) \text{ as } n \to \infty",
+    ),
+    (
+        "digamma(x) == -EulerGamma - 1/x + O(x) as x -> 0+",
+        "digamma(x) == -gamma - 1/x + O(x) as x -> 0+",
+    ),
+)
+IN_FILES = ("{0}**n <= 1", "{0}**n == E**n", "log({0}) < 0")
+"""Claims of a file about a letter between 0 and 1 and an integer n >= 0."""
 
 
 def _verdict(claim: str) -> Verdict | None:
@@ -138,3 +170,32 @@ def test_another_spelling_has_no_other_verdict(name: str) -> None:
 @pytest.mark.parametrize(("one", "other"), TWINS)
 def test_both_of_two_false_twins_are_refuted(one: str, other: str) -> None:
     assert _verdict(one) is _verdict(other) is Verdict.REFUTED
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("one", "other"), TRUE_TWINS)
+def test_both_of_two_true_twins_hold(one: str, other: str) -> None:
+    for claim in (one, other):
+        verdict = _verdict(claim)
+        assert verdict is not None
+        assert verdict.holds, claim
+
+
+@pytest.mark.parametrize("claim", IN_FILES)
+def test_the_letter_e_of_a_file_is_no_number(claim: str) -> None:
+    found: list[Verdict | None] = []
+    for letter in "eh":
+        given = f"{letter} real; given 0 < {letter} < 1\nn integer; given n >= 0\n"
+        paper = read_paper(f"{given}one: {claim.format(letter)}\n")
+        rows = verify_paper(paper, limit=5, cached=False, suggest=False).rows
+        found.append(None if paper.problems else rows[-1].verdict)
+    assert found[1] not in (None, Verdict.UNDECIDED)
+    assert not _contradict(*found)
+
+
+@pytest.mark.parametrize("limit", [0, 1])
+def test_the_letter_e_of_a_path_is_no_number(limit: int) -> None:
+    one, other = (_verdict(f"{x}**a -> {limit} given a > 0 as {x} -> 0+") for x in "eh")
+    assert other is not None
+    assert other.holds == (limit == 0)
+    assert not _contradict(one, other)
