@@ -52,7 +52,7 @@ def test_a_page_is_read(tmp_path: Path) -> None:
     rows = decided(read_links(read_manuscript(tmp_path / "page.md")), 5.0, 1)
     found = [(row.link.display.line, row.status) for row in rows]
     assert found[:2] == [(14, "PROVED"), (20, "EQUATION")]
-    assert found[2:5] == [(24, "UNREAD"), (28, "PROVED"), (30, "UNDECIDED")]
+    assert found[2:5] == [(24, "UNREAD"), (28, "PROVED"), (30, "REFUTED")]
     assert found[5:] == [(33, "PROVED"), (37, "UNREAD")]
 
 

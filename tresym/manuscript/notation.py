@@ -47,6 +47,12 @@ _SHOCK = re.compile(
     r"(?=\s*(?:[-+=)\]}},;.&|<>^(/]|\\(?!infty)|\$|\Z|[a-zA-Z]))"
 )
 _UPPER_FIRST = re.compile(r"\\(sum|prod|int|iint|oint)(?![a-zA-Z])\s*(?:\\limits\s*)?\^")
+_AND = re.compile(
+    r"(\\q?quad(?![a-zA-Z])|\\[ ,;])\s*\\(?:text|mbox|textrm|mathrm)\s*"
+    r"\{\s*(?:e|et|und|y|i|ed)\s*\}"
+    r"(?=\s*(?:\\q?quad(?![a-zA-Z])|\\[ ,;]))"
+)
+"""The word "and" of other languages between two formulas."""
 _EULER = re.compile(r"\\(?:mathrm|text|textrm|operatorname|mathup)\s*\{\s*e\s*\}")
 _PARTIAL = re.compile(r"\\pd(?![a-zA-Z])(?!\s*[\[{*])")
 _DIFFERENTIAL = re.compile(r"\\(?:dif|dd|diff)(?![a-zA-Z])\s*")
@@ -90,6 +96,7 @@ def plain_notation(text: str) -> str:
     """Return a formula in the notation that the reader of LaTeX knows."""
     if not any(mark in text for mark in "\\^{('"):
         return text
+    text = _AND.sub(r"\1\\text{and}", text)
     text = _SPACES.sub(" ", text)
     text = _SETTING.sub(" ", text)
     text = _EMPTY.sub(" ", text)

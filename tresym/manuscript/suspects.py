@@ -115,8 +115,7 @@ def proofread(
             result[n] = replace(row, instead=instead)
             continue
         why = "" if _redefined(row, rows) else reason(row, instead, blocks[n])
-        equal = row.link.sides is not None and row.link.sides[1] == "=="
-        if why and ((instead and equal) or _fails_for_positive(row)):
+        if why and (_is_free(row) or _fails_for_positive(row)):
             witness = row.fails_at
             result[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=witness)
     return settled(result, processes=processes)
@@ -167,6 +166,8 @@ def may_be(row: Row) -> bool:
     if not meant and (is_introduced(link) or _stands_alone(left, right)):
         return False
     kinds = {doubt.kind for doubt in link.ground.doubts} - _HARMLESS
+    if DoubtKind.FAR in kinds and not symbols(left) | symbols(right):
+        return False  # numbers by a function of another example
     kinds -= _WORDS if meant else {DoubtKind.FAR} if vary else set()
     if link.goes_on or _of_terms(left, right):
         kinds -= {DoubtKind.FUNCTION}
