@@ -28,7 +28,13 @@ def called(*calls: tuple[str, dict[str, Any]]) -> tuple[set[str], list[Any]]:
             answers = []
             for name, arguments in calls:
                 found = await client.call_tool(name, arguments)
-                answers.append(found.structured_content or json.loads(found.content[0].text))
+                text = found.content[0].text if found.content else ""
+                if found.is_error:
+                    answers.append({"is_error": text})
+                elif name == "explain":
+                    answers.append(text)
+                else:
+                    answers.append(found.structured_content or json.loads(text))
             return tools, answers
 
     return asyncio.run(play())
@@ -43,18 +49,25 @@ def test_claims_and_manuscripts_are_answered_as_on_the_command_line() -> None:
         ("table", {"exact": "tan(x)", "approx": "x", "path": "x -> 0", "at": "1/10, 1/100"}),
         ("table", {"exact": "1/x", "approx": "x", "path": "nowhere"}),
         ("paper", {"latex": r"For all real $x$: \[ (x+1)^2 = x^2 + 2x + 1. \]"}),
+        ("check_many", {"claims": ["exp(x) > 0", "(((", "x > 0"], "given": "x < 1"}),
+        ("verify", {"text": "a real; given a > 0\nsquare: a**2 > 0"}),
+        ("explain", {"claim": "sin(x) ~ x as x -> 0"}),
     )
-    assert tools == {"check", "table", "paper", "atlas"}
-    proved, refuted, conditional, unread, table, no_table, rows = answers
+    assert tools == {"check", "check_many", "verify", "explain", "table", "paper", "atlas"}
+    proved, refuted, conditional, unread, table, no_table, rows, many, paper, why = answers
     assert proved["verdict"] in ("PROVED", "ENCLOSED")
     assert refuted["verdict"] == "REFUTED"
     assert refuted["witness"]
     assert "2*sin(x)*cos(x)" in json.dumps(refuted["instead"])
     assert conditional["verdict"] == "PROVED"
-    assert unread["error"]
+    assert "parenthesis" in unread["is_error"]
+    assert [row.get("verdict") for row in many["result"]] == ["PROVED", None, "REFUTED"]
+    assert many["result"][1]["error"]
+    assert [row["verdict"] for row in paper["claims"]] == ["PROVED"]
+    assert "**Verdict.** ENCLOSED" in why
     assert [row["at"] for row in table["rows"]] == [{"x": "1/10"}, {"x": "1/100"}]
     assert table["claim"]["verdict"] == "ENCLOSED"
-    assert no_table["error"]
+    assert "write a path like x -> 0+" in no_table["is_error"]
     assert [row["status"] for row in rows["result"]] == ["PROVED"]
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable
+from functools import wraps
 from typing import Any
 
 from tresym.commands.parser import Commands, parse_seconds
@@ -11,6 +13,8 @@ from tresym.reals.numbers.exact import InputError
 LONGEST = 2_000_000
 """Characters of a manuscript that a client may send."""
 
+MOST_CLAIMS = 200
+"""Claims that a client may ask at once."""
 MOST = 20
 """Entries of the atlas that are returned at once."""
 
@@ -27,8 +31,8 @@ def add(commands: Commands) -> None:
         "mcp",
         help="a server for agents: check claims and manuscripts over the Model Context Protocol",
         description="A server of the Model Context Protocol on standard input and output, to be "
-        "started by an agent or a chat client. Its tools are check, table, paper and atlas; "
-        "they answer with the JSON of the command line. It needs the extra tresym[mcp].",
+        "started by an agent or a chat client. Its tools are check, check_many, verify, explain, "
+        "table, paper and atlas; they answer with the JSON of the command line. It needs the extra tresym[mcp].",
     )
     parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
 
@@ -40,11 +44,27 @@ def run(args: argparse.Namespace) -> int:
         from mcp.server.mcpserver import MCPServer
     except ImportError:
         raise InputError("mcp: the package mcp is missing: pip install 'tresym[mcp]'") from None
-    server = MCPServer("tresym", instructions=INSTRUCTIONS)
+    import tresym
+
+    server = MCPServer("tresym", instructions=INSTRUCTIONS, version=tresym.__version__)
     for tool in _tools(limit):
-        server.tool()(tool)
+        server.tool()(_told(tool))
     server.run("stdio")
     return 0
+
+
+def _told(tool: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a tool whose bad input the client sees as an error, with its message."""
+    from mcp.server.mcpserver.exceptions import ToolError
+
+    @wraps(tool)
+    def answered(*args: Any, **named: Any) -> Any:
+        try:
+            return tool(*args, **named)
+        except InputError as error:
+            raise ToolError(str(error)) from None
+
+    return answered
 
 
 def _tools(limit: float) -> list[Any]:
@@ -65,15 +85,52 @@ def _tools(limit: float) -> list[Any]:
         from tresym.reals.verdict import Verdict
         from tresym.repair import suggestions
 
-        try:
-            need_variables(claim, given, path or None)
-            answer = check_within(Task(claim, given, path or None), limit)
-            if answer.verdict is Verdict.REFUTED:
-                asked = [(answer.read_as, (), False, True)]
-                answer = replace(answer, instead=next(suggestions(asked, 1)))
-        except InputError as error:
-            return {"error": str(error)}
+        need_variables(claim, given, path or None)
+        answer = check_within(Task(claim, given, path or None), limit)
+        if answer.verdict is Verdict.REFUTED:
+            asked = [(answer.read_as, (), False, True)]
+            answer = replace(answer, instead=next(suggestions(asked, 1)))
         return answer.as_json()
+
+    def check_many(claims: list[str], given: str = "") -> list[dict[str, Any]]:
+        """Decide several claims; what cannot be read has the key "error" in its place.
+
+        Args:
+            claims: texts as for check, each with its own conditions and limit process.
+            given: conditions of all of them.
+        """
+        found = []
+        for claim in claims[:MOST_CLAIMS]:
+            try:
+                found.append(check(claim, given))
+            except InputError as error:
+                found.append({"statement": claim, "error": str(error)})
+        return found
+
+    def verify(text: str) -> dict[str, Any]:
+        """Verify a file of claims: definitions, conditions and labelled claims, one a line.
+
+        Args:
+            text: the text of the file, such as "a real; given a > 0" and "square: a**2 > 0".
+        """
+        from tresym.papers.reading import read_paper
+        from tresym.papers.verification import verify_paper
+
+        if len(text) > LONGEST:
+            raise InputError(f"the file has more than {LONGEST} characters")
+        return verify_paper(read_paper(text), limit=limit).as_json()
+
+    def explain(claim: str, given: str = "", path: str = "") -> str:
+        """Explain the verdict on a claim in Markdown: lemma, steps, constant, counterexample.
+
+        Args:
+            claim: the claim, as for check.
+            given: its conditions.
+            path: the limit process, unless the claim says it.
+        """
+        from tresym.report.pages.explanation import explain as explained
+
+        return explained(claim, given, path or None, limit).markdown()
 
     def table(
         exact: str, approx: str, path: str, given: str = "", at: str = "", digits: int = 30
@@ -91,11 +148,9 @@ def _tools(limit: float) -> list[Any]:
         import tresym
 
         points = [point.strip() for point in at.split(",")] if at.strip() else []
-        try:
-            found = tresym.error_table(exact, approx, path, points, given, digits)
-        except InputError as error:
-            return {"error": str(error)}
-        value: dict[str, Any] = found.as_json()
+        value: dict[str, Any] = tresym.error_table(
+            exact, approx, path, points, given, digits
+        ).as_json()
         return value
 
     def paper(latex: str) -> list[dict[str, Any]]:
@@ -112,16 +167,12 @@ def _tools(limit: float) -> list[Any]:
         from tresym.manuscript.source import read_manuscript
 
         if len(latex) > LONGEST:
-            return [{"error": f"the manuscript has more than {LONGEST} characters"}]
+            raise InputError(f"the manuscript has more than {LONGEST} characters")
         with TemporaryDirectory() as folder:
             source = Path(folder) / "manuscript.tex"
             source.write_text(latex, encoding="utf-8")
-            try:
-                return [
-                    row.as_json() for row in decided(read_links(read_manuscript(source)), limit)
-                ]
-            except InputError as error:
-                return [{"error": str(error)}]
+            links = read_links(read_manuscript(source))
+            return [row.as_json() for row in decided(links, limit)]
 
     def atlas(words: str) -> list[dict[str, Any]]:
         """Look up classical expansions and bounds with proved constants.
@@ -135,4 +186,4 @@ def _tools(limit: float) -> list[Any]:
         named = [entry for entry in entries() if entry.name == words.strip()]
         return [entry.as_json() for entry in (named or found(words))[:MOST]]
 
-    return [check, table, paper, atlas]
+    return [check, check_many, verify, explain, table, paper, atlas]
