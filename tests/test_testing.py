@@ -8,7 +8,7 @@ from hypothesis import find, given, settings
 from hypothesis import strategies as st
 
 import tresym
-from tresym.testing import accuracy, assert_close, points
+from tresym.testing import accuracy, assert_claim, assert_close, points
 
 REGION = "a > 0, 0 < b <= 1, a + b < 3"
 
@@ -128,3 +128,15 @@ def test_functions_without_keywords_are_called_by_position() -> None:
         assert_close(math.cos, "sin(x)", "0 < x <= 1", examples=40)
     with pytest.raises(AssertionError, match="relative error"):
         assert_close(math.atan2, "atan(x/y)", "x > 1, 0 < y <= 1", examples=40)
+
+
+def test_a_claim_is_asserted_by_its_verdict() -> None:
+    assert_claim("exp(x) >= 1 + x")
+    assert_claim("log(x) <= x - 1", given="x > 0")
+    assert_claim("sin(x) ~ x", path="x -> 0")
+    with pytest.raises(AssertionError, match="is REFUTED: the two sides differ at x = "):
+        assert_claim("sqrt(x**2) == x")
+    with pytest.raises(AssertionError, match="is UNDECIDED"):
+        assert_claim("log(-1 - x**2) == 0")
+    with pytest.raises(tresym.InputError):
+        assert_claim("x +")

@@ -3,7 +3,9 @@
 :func:`points` is a Hypothesis strategy for exact points of a region, simple ones, ones near every
 edge and near singular sets. :func:`assert_close` fails with the simplest point at which a function
 is wrong. :func:`accuracy` reports where it loses digits. The true value is a ball at exactly the
-numbers that the function received, so that only its own error counts.
+numbers that the function received, so that only its own error counts. These functions sample: they
+find errors, and what they do not find may still be there. :func:`assert_claim` decides a claim, and
+fails unless it is proved.
 
 Example::
 
@@ -274,6 +276,7 @@ def assert_close(
         verbosity=hypothesis.Verbosity.quiet,
     )
     test = settings(hypothesis.given(points(given, symbols(e), e))(checked))
+    __tracebackhide__ = True  # the report of pytest shows the test, and no line of ours
     try:
         test()
     except _MissError as miss:
@@ -282,6 +285,34 @@ def assert_close(
         raise InputError(f"no point was found that satisfies {given}") from None
     if not compared:
         raise InputError(f"{e} has no proved value at any point of {given or 'its domain'}")
+
+
+def assert_claim(claim: str, given: str = "", path: str | None = None, limit: float = 20.0) -> None:
+    """Fail unless a claim holds: PROVED or ENCLOSED, which is more than agreement at points.
+
+    Args:
+        claim: the claim, as for :func:`tresym.check`.
+        given: its conditions.
+        path: the limit process of an order or a limit, unless the claim says it.
+        limit: seconds of processor time.
+
+    Raises:
+        AssertionError: the claim is REFUTED, with the counterexample, or UNDECIDED.
+        InputError: it cannot be read.
+
+    Example:
+        >>> assert_claim("exp(x) >= 1 + x")
+        >>> assert_claim("sqrt(x**2) == x")
+        Traceback (most recent call last):
+        ...
+        AssertionError: sqrt(x**2) == x is REFUTED: the two sides differ at x = -83/220
+    """
+    __tracebackhide__ = True
+    from tresym.repair import check
+
+    answer = check(claim, given, path, limit=limit, suggest=False)
+    if not answer:
+        raise AssertionError(f"{claim} is {answer.verdict.value}: {answer.in_text()[0]}")
 
 
 def _compared(

@@ -32,7 +32,8 @@ def add(commands: Commands) -> None:
         help="a server for agents: check claims and manuscripts over the Model Context Protocol",
         description="A server of the Model Context Protocol on standard input and output, to be "
         "started by an agent or a chat client. Its tools are check, check_many, verify, explain, "
-        "table, paper and atlas; they answer with the JSON of the command line. It needs the extra tresym[mcp].",
+        "table, paper and atlas; they answer with the JSON of the command line. It needs the "
+        "extra tresym[mcp].",
     )
     parser.add_argument("--limit", default="5", metavar="SECONDS", help="for each claim (5)")
 
