@@ -34,7 +34,9 @@ def add(commands: Commands) -> None:
         "'integral(f, x, 0, oo) == V', 'integral(f, x) == F', 'sum(f, k, 1, n) == S', "
         "'product(f, k, 1, n) == P' or, with a limit process, "
         "'sin(x) == x + O(x**3)' (O, o, Theta, omega, "
-        "~), 'f -> L', 'f > g' (eventually): PROVED, ENCLOSED, REFUTED or UNDECIDED, and why.",
+        "~), 'f -> L', 'f > g' (eventually); also 'A and B', 'A <=> B', 'exactly one x in (0, 1): "
+        "f == g', 'increasing(f, x)', 'at some point: A': PROVED, ENCLOSED, REFUTED or UNDECIDED, "
+        "and why.",
         epilog="Exit status: 0 if the claim holds, 1 if it is refuted, 3 if it is undecided, 2 if"
         " it cannot be parsed. For many claims, it is the first of 2, 1, 3 that occurs.",
     )
