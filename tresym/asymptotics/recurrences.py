@@ -334,7 +334,7 @@ def _of_limit(
     if rate is None:
         if end in _INFINITE:
             raise _OpenError(f"{node} tends to {end}, at a rate that is not found")
-        known: Expansion = _Tends(end, found)
+        known: Expansion = _attracted(sequence, end, found, statement)
         return decide_with_expansions(
             claim.mapped(partial(replaced, known={node: symbol(_W)})),
             statement,
@@ -523,6 +523,22 @@ class _Tends(Expansion):
         return Bound()
 
 
+class _Attracted(_Tends):
+    """A sequence with a(n) − L = o(qⁿ) for every q > |f′(L)|, as f′ is continuous at L."""
+
+    lemma = "the mean value theorem near a fixed point"
+
+    def __init__(self, limit: Expr, slope: fmpq, n: Expr, found: _Found) -> None:
+        """Take |f′(L)| < 1."""
+        super().__init__(limit, found)
+        self.slope, self.n = slope, n
+
+    def terms(self, order: int) -> tuple[Expr, Expr] | None:
+        """Return the limit with an error o(qⁿ), with q nearer to |f′(L)| for higher orders."""
+        q = fmpq(1, 10**order) if self.slope == 0 else self.slope + (1 - self.slope) / 4**order
+        return self.limit, power(number(q), self.n)
+
+
 class _Geometric(_Tends):
     """A sequence with a(n) − L ~ K λⁿ and an unknown constant K > 0."""
 
@@ -571,6 +587,31 @@ def _keep(found: _Found, ask: Obligations) -> None:
     ask.found += [part for part in found.obligations.found if part not in ask.found]
     if found.obligations.verdict is Verdict.ENCLOSED:
         ask.verdict = Verdict.ENCLOSED
+
+
+def _attracted(sequence: _Sequence, end: Expr, found: _Found, statement: Statement) -> _Tends:
+    """Return how fast a sequence tends to a fixed point, from the slope of f there."""
+    path, name = statement.path, _X
+    plain = _Tends(end, found)
+    if path is None or symbols(end) or sequence.given.comparisons or symbols(sequence.f) != {name}:
+        return plain
+    slope = differentiate(sequence.f, name)
+    with ball_precision():
+        middle = evaluate(end, {})
+        if not middle.is_finite():
+            return plain
+        radius = number(fmpq(1, 10**6))
+    near = Given(((symbol(name), ">=", end - radius), (symbol(name), "<=", end + radius)))
+    if continuous_on(sequence.f, near, proof) is not None:
+        return plain
+    if continuous_on(slope, near, proof) is not None:
+        return plain
+    value = tidied(normal_form(abs(substitute(slope, {name: end})), Given()))
+    if is_zero(value, Given()):
+        value = ZERO
+    if value.op != "number" or not value.args[0] < 1:
+        return plain
+    return _Attracted(end, value.args[0], symbol(path.name), found)
 
 
 def _rate(
