@@ -65,6 +65,7 @@ def test_a_false_closed_form_or_expansion_is_refuted(text: str, tmp_path: Path) 
         # units that are not known, or rounded numbers of them
         (r"\[ \SI{5}{\celsius} = \SI{278}{\kelvin} \]", "UNREAD"),
         (r"\[ \SI{5}{\kilo\meter} = 5\,\mathrm{km} \]", "UNREAD"),
+        (r"\[ 120\text{ seconds} = 2\text{ hours} \]", "UNREAD"),
         (r"\[ \SI{2.4}{\hour} = \SI{8700}{\second} \]", "UNREAD"),
         # what is integrated is in doubt; i is no index
         (r"\[ \int_0^1 dx\, x + 1 = \frac32 \]", "UNREAD"),

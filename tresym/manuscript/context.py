@@ -349,12 +349,16 @@ class Memory(ConditionReader):
             understood = conditions is not None and not conditions[1]
         why = f"'{found.binds}'" if found.binds else f"${' '.join(found.tex.split())[:60]}$"
         why = f"the text says {why} about it"
-        head = self.head(said.terms[0]) if said.ops in (("=",), (":=",)) else None
+        equal = bool(said.ops) and {*said.ops} <= {"=", ":="}
+        heads = [self.head(term) for term in said.terms[:-1]] if equal else []
+        known_heads = [head for head in heads if head is not None and not head.derived]
         if found.binds:
             self.restrict(self.spoken_of(said), why)
-        elif not understood and head is not None and not head.derived:
-            others = self.spoken_of(replace(said, terms=said.terms[1:])) - {*head.parameters}
-            self.restrict({head.name}, why, others - {head.name})
+        elif not understood and heads and len(known_heads) == len(heads):
+            names = {head.name for head in known_heads}  # z = f(x, y) = x + y says nothing of x
+            own = names.union(*(head.parameters for head in known_heads))
+            others = self.spoken_of(replace(said, terms=said.terms[-1:]))
+            self.restrict(names, why, others - own)
         elif not understood and not _DIFFERENTIAL.match(found.tex):
             conditions = self.condition(said) if {*said.ops} <= _ORDER else None
             bounds = conditions[0] if conditions else ()

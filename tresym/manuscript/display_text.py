@@ -8,6 +8,14 @@ from tresym.manuscript.macros import group
 from tresym.manuscript.notation import plain_notation
 from tresym.reals.language.latex_tokens import CONDITION, FUNCTIONS
 
+_UNIT = re.compile(
+    r"(?<=[\d}])(?:\s|~|\\[ ,;])*\\(?:text|mathrm|textrm|mbox)\s*\{\s*(?:\\[ ,])?"
+    r"((?:square |cubic )?(?:units?|feet|ft|inches|miles|meters|metres)|mph|seconds?|sec"
+    r"|hours?|dollars?"
+    r"|(?:ft|feet|miles|m|meters|metres|units?|dollars?)\s*/\s*(?:s|sec|second|hour|hr|h|unit)(?:\^?2)?)"
+    r"\s*\.?\s*\}(?!\s*[\^_(\d])"
+)
+"""A unit behind a number; a display with one unit only is compared without it."""
 FORALL = "\\forallsaid"
 """The token before a condition that says "for all"."""
 GAP, AND, OR, OTHERWISE, WORDS = "\\gapquad", "\\wordand", "\\wordor", "\\otherwise", "\\words"
@@ -95,6 +103,8 @@ def prepared(text: str, words: list[str]) -> str:
         r"\\forall(?![a-zA-Z])", rf"{AND} {FORALL} {CONDITION} ".replace("\\", r"\\"), text
     )
     text = re.sub(r"\\colon(?![a-zA-Z])", " ", text)
+    if len({found[1] for found in _UNIT.finditer(text)}) == 1 and "\\SI" not in text:
+        text = _UNIT.sub(" ", text)
     text = re.sub(r"\\(?:dots|dotsc|cdots|dotsb)(?![a-zA-Z])", r"\\ldots ", text)
     return _TEXT.sub(lambda m: _spoken(m, words), text)
 
