@@ -345,19 +345,18 @@ class _Deciding:
             why = f"it is not shown that both sides are smooth in the interval: {search.gap}"
             none = partial(self.none_between, search)
             return _first(Answer(UNDECIDED, why), none, search.by_balls)
-        exists: list[Answer] = []
-        if claim.how != "at most one":
-            exists = self.signs_at_the_ends(search)
+        exists = self.signs_at_the_ends(search) if claim.how != "at most one" else []
         if claim.how == "at least one":
-            if all(exists):
+            if _all_hold(exists):
                 return _by_lemma("intermediate value theorem", exists)
-            ways = partial(self.none_between, search), partial(self.crossing, search)
-            return _first(_not_shown(exists), *ways)
-        only = self.only_one(search, bool(exists) and all(exists))
-        if all((*exists, *only)):
+            ways = self.none_between, self.crossing, self.none_at_a_point
+            return _first(_not_shown(exists), *(partial(way, search) for way in ways))
+        only = self.only_one(search, _all_hold(exists))
+        if _all_hold(only) and (_all_hold(exists) or claim.how == "at most one"):
             return _by_lemma(MEAN_VALUE, [*exists, *only])
         none = partial(self.none_between, search)
-        return _first(_not_shown([*exists, *only]), none, search.by_balls)
+        none_at = partial(self.none_at_a_point, search)
+        return _first(_not_shown([*exists, *only]), none, search.by_balls, none_at)
 
     def crossing(self, search: _Solutions) -> Answer | None:
         """Show that there is a solution by the signs at two points of the interval."""
@@ -388,6 +387,24 @@ class _Deciding:
         at = search.point_of_parameters()
         return None if at is None else refuted(f"there is no solution: {found.why}", at)
 
+    def none_at_a_point(self, search: _Solutions) -> Answer | None:
+        """Refute that there is a solution at values of the parameters at which there is none."""
+        if search.claim.how == "at most one" or not search.parameters:
+            return None
+        for at in islice(chain(search.special_points(), search.points_of_parameters()), PARAMETERS):
+            put = {name: number(x) for name, x in at.items()}
+            f = substitute(search.f, put)
+            inside = tuple(
+                (substitute(x, put), sign, substitute(y, put))
+                for x, sign, y in search.inside
+                if search.name in _taken(((x, sign, y),))
+            )
+            if undefined(f, Given(inside), proof) is None:
+                found = self.asked((f, "!=", ZERO), inside)
+                if found:
+                    return refuted(f"there is no solution: {found.why}", at)
+        return None
+
     def signs_at_the_ends(self, search: _Solutions) -> list[Answer]:
         """The obligations that the difference has opposite signs near the ends."""
         claim = search.claim
@@ -402,7 +419,7 @@ class _Deciding:
                 tried.append(self.near_end(search, 1, signs[1]))
                 if all(tried):
                     return tried
-            best = max(best, tried, key=lambda row: sum(map(bool, row)))
+            best = max(tried, best, key=lambda row: sum(map(bool, row)))
         return best
 
     def near_end(self, search: _Solutions, n: int, sign: str) -> Answer:
@@ -796,6 +813,11 @@ def _rational(x: fmpq | arb | None) -> fmpq | None:
     if x is None or isinstance(x, fmpq):
         return x
     return fmpq(int((x.mid() * 1024).fmpq().floor()), 1024) if x.is_finite() else None
+
+
+def _all_hold(answers: Sequence[Answer]) -> bool:
+    """Whether there are obligations, and all of them hold."""
+    return bool(answers) and all(answers)
 
 
 def _first(otherwise: Answer, *ways: Callable[[], Answer | None]) -> Answer:
