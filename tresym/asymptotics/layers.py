@@ -408,7 +408,15 @@ def _decided(
     statement: Statement,
     decided: Decide,
 ) -> Answer:
-    order = gauge_order(layer, gauge) + (claim.relation != "O")
+    bounded = True
+    try:
+        order = gauge_order(layer, gauge, layer.closed)
+    except OpenError:
+        bounded = False  # for x near an end the comparison function may vanish
+        order = gauge_order(layer, gauge, _free(statement, layer))
+        if statement.uniformly:
+            raise
+    order += claim.relation != "O"
     if order > HIGHEST * layer.reader.q:
         most = power_of(layer.reader.small, HIGHEST, 1)
         raise OpenError(f"orders up to {most} are supported")
@@ -419,7 +427,7 @@ def _decided(
     fixed = Needs(order, (False, False), closed)
     small = layer.reader.small
     shown = power_of(small, order, layer.reader.q)
-    asked = (uniform,) if statement.uniformly else (uniform, fixed)
+    asked = (uniform,) if statement.uniformly else (uniform, fixed) if bounded else (fixed,)
     gap: GapError | None = None
     conditions = (symbols(end) for link in statement.given.comparisons for end in link[::2])
     own = {layer.x, layer.t, layer.reader.small}
@@ -434,7 +442,12 @@ def _decided(
             f"{said(e)} satisfies the equation and the boundary values up to an error that the "
             f"maximum principle bounds by a multiple of {shown}, "
         )
-        if needs is uniform and not parameters and claim.relation == "O":
+        if (
+            needs is uniform
+            and not parameters
+            and claim.relation == "O"
+            and (layer.x not in symbols(gauge))
+        ):
             known = _with_constant(claim, layer, e, gauge, order, statement)
             if known is not None:
                 return known
@@ -617,8 +630,13 @@ def _points(layer: Layer, needs: Needs, given: Given, there: dict[str, fmpq]) ->
                 yield layer.end(end) + (step if (end == 0) != layer.mirrored else -step)
 
 
-def gauge_order(layer: Layer, gauge: Expr) -> int:
+def gauge_order(layer: Layer, gauge: Expr, given: Given | None = None) -> int:
     """Return the power of t that a comparison function is a multiple of.
+
+    Args:
+        layer: the problem.
+        gauge: the comparison function.
+        given: conditions under which its factor must have one sign, if it may depend on x.
 
     Raises:
         OpenError: it is no such multiple.
@@ -628,7 +646,9 @@ def gauge_order(layer: Layer, gauge: Expr) -> int:
         v, g = found[()]
         if v < 0:
             raise OpenError("an error that may grow without bound says nothing of a layer")
-        if layer.x not in symbols(g) and layer.t not in symbols(g) and known_sign(g, layer.fixed):
+        moving = layer.x in symbols(g)
+        where = given if moving else layer.fixed
+        if where is not None and layer.t not in symbols(g) and known_sign(g, where):
             return v
     raise OpenError("the comparison function must be a power of the small parameter")
 
