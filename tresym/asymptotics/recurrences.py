@@ -51,6 +51,7 @@ from tresym.asymptotics.linear_recurrences import (
 )
 from tresym.asymptotics.rooted_arguments import decide_rooted
 from tresym.asymptotics.roots import zeros_of
+from tresym.asymptotics.systems_of_sequences import decide_system
 from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Statement, functions
@@ -148,7 +149,8 @@ def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     assert path is not None
     if path.point is not None or path.sides != (1,) or claim.derivatives:
         raise _OpenError("claims about a sequence are supported as n -> oo, without derivatives")
-    answer = decide_divided(claim, statement, decided)
+    answer = decide_system(claim, statement, decided)
+    answer = decide_divided(claim, statement, decided) if answer is None else answer
     answer = decide_rooted(claim, statement, decided) if answer is None else answer
     if answer is None or answer.verdict is Verdict.UNDECIDED:
         other = decide_divided_arguments(claim, statement, decided)

@@ -307,11 +307,14 @@ def _decide(comparison: Comparison, statement: Statement) -> Answer:
     if parts.at_integers and statement.equations and parts.unknown - {FACTORIAL}:
         from tresym.asymptotics.bounds_by_induction import decide_bound
         from tresym.asymptotics.linear_recurrences import decide_every_value
+        from tresym.asymptotics.systems_of_sequences import decide_system
 
         with stage("recurrence"):
             answer = decide_every_value(comparison, statement, _bounded)
             if answer is None:
                 answer = decide_bound(comparison, statement, _bounded)
+            if answer is None:
+                answer = decide_system(comparison, statement, _bounded)
         if answer is not None:
             return answer
     for procedure, applies, _ in ORDER:
