@@ -133,6 +133,25 @@ def largest_error(
         ('0.00813765', '0.00813766', 'x = 1')
     """
     start = time.process_time()
+    absolute, relative = (error_bounds(exact, approx, on, stored, kind) for kind in (False, True))
+    left, right = (str(e) if isinstance(e, Expr) else " ".join(e.split()) for e in (exact, approx))
+    seconds = time.process_time() - start
+    return LargestError(left, right, on.strip(), stored, absolute, relative, seconds)
+
+
+def error_bounds(
+    exact: str | Expr,
+    approx: str | Expr,
+    on: str,
+    stored: str = "exact",
+    relative: bool = False,
+    close: fmpq = CLOSE,
+) -> Bounds:
+    """Return the largest absolute or relative error alone; see :func:`largest_error`.
+
+    Args:
+        close: how close its two bounds shall be.
+    """
     name, low, high = interval(on)
     if stored not in FORMATS:
         raise InputError(f"{quoted(stored)}: decimals are read as {', '.join(FORMATS)}")
@@ -141,21 +160,18 @@ def largest_error(
     others = (symbols(f) | symbols(g)) - {name, INFINITY.args[0]}
     if others:
         raise InputError(f"{', '.join(sorted(others))}: the region is one of {name} alone")
-    absolute, relative = (_bounds(f, g, below, name, low, high) for below in (ONE, f))
-    left, right = (str(e) if isinstance(e, Expr) else " ".join(e.split()) for e in (exact, approx))
-    seconds = time.process_time() - start
-    return LargestError(left, right, on.strip(), stored, absolute, relative, seconds)
+    return _bounds(f, g, f if relative else ONE, name, low, high, close)
 
 
 def _bounds(
-    f: Expr, g: Expr, below: Expr, name: str, low: Expr | None, high: Expr | None
+    f: Expr, g: Expr, below: Expr, name: str, low: Expr | None, high: Expr | None, close: fmpq
 ) -> Bounds:
     """Return the largest |f − g|/|below| on an interval."""
     above = f - g
     if elementary(above) and is_zero(above, Given()):
         return Bounds("0", "0", "")
     how = EXPLICIT if elementary(above, below) else jets_and_values()
-    return _written(exact_ends(above, below, name, low, high, CLOSE, how), name)
+    return _written(exact_ends(above, below, name, low, high, close, how), name)
 
 
 def _written(found: Maximum, name: str) -> Bounds:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from tresym.commands.parser import Commands, add_options, add_output, deliver, json_line
+from tresym.commands.parser import UNEXPECTED, Commands, add_options, add_output, deliver, json_line
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
@@ -25,14 +25,17 @@ def add(commands: Commands) -> None:
         "-0.00018363]' --on 'abs(x) <= pi/2'. Exit status: 0, 3 if no bound is found, 2 for bad "
         "input.",
     )
-    parser.add_argument("exact", metavar="EXACT", help="a function of one variable")
+    parser.add_argument("exact", nargs="?", metavar="EXACT", help="a function of one variable")
     parser.add_argument(
         "approx",
+        nargs="?",
         metavar="APPROX",
         help="an expression, or the coefficients [c0, c1, ...] of a polynomial, lowest power first",
     )
     add_options(
-        parser, ("--on REGION", "the region: 0 <= x <= 1, abs(x) <= pi/4, x >= 1; it is required")
+        parser,
+        ("--on REGION", "the region: 0 <= x <= 1, abs(x) <= pi/4, x >= 1"),
+        ("-f FILE", "a list of published approximations with the bounds that are printed"),
     )
     parser.add_argument(
         "--stored",
@@ -41,15 +44,45 @@ def add(commands: Commands) -> None:
         help="how the decimals of APPROX are read: as exact numbers (default), or as the nearest "
         "numbers of binary64 or binary32, with which a program computes",
     )
+    parser.add_argument(
+        "--format",
+        choices=("text", "markdown", "latex", "csv", "html"),
+        default="text",
+        help="with -f; default: text",
+    )
     add_output(parser)
 
 
 def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
+    if args.f is not None:
+        return _of_list(args)
     from tresym.accuracy.largest_error import largest_error
 
+    if args.exact is None or args.approx is None:
+        raise InputError("error: give a function and an approximation, or -f FILE")
     if args.on is None:
         raise InputError("error: give a region, such as --on '0 <= x <= 1'")
     found = largest_error(args.exact, args.approx, args.on, args.stored)
     deliver(json_line(found.as_json()) if args.json else f"{found}\n", args.path)
     return 0 if found else UNDECIDED
+
+
+def _of_list(args: argparse.Namespace) -> int:
+    """Check the printed bounds of a list; 1 if one is exceeded, 3 if one is open."""
+    from tresym.accuracy.approximation_list import EXCEEDED, OPEN, judge, read_list, table
+    from tresym.accuracy.table import written
+
+    if args.exact is not None or args.on is not None:
+        raise InputError("error: -f FILE takes no expressions")
+    try:
+        with open(args.f, encoding="utf-8") as file:
+            text = file.read()
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{args.f}: {error}") from None
+    rows = [judge(one) for one in read_list(text)]
+    found = table(rows)
+    shown = json_line(found._asdict()) if args.json else written(found, args.format)
+    deliver(shown, args.path)
+    verdicts = {one.verdict for one in rows}
+    return UNEXPECTED if EXCEEDED in verdicts else UNDECIDED if OPEN in verdicts else 0

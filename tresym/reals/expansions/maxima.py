@@ -63,7 +63,7 @@ BESIDE = 6
 FAR = 8
 DOUBLINGS = 24
 """How often a finite part of an unbounded interval is doubled."""
-LEVELS = 7
+LEVELS = 12
 """How many terms are taken beside an infinite end; pieces beside a finite one become short."""
 HIGHEST = 12
 """The highest order of a common zero."""
@@ -425,7 +425,8 @@ class _Search:
         self, first: fmpq, last: fmpq, low: fmpq | None, high: fmpq | None
     ) -> fmpq | None:
         """Find rational zeros of the denominator and their order; return one that is a pole."""
-        if not self.how_many(self.below):
+        self._find_quotients(first, last)
+        if not self.varies(self.below):
             return None
         candidates = {x for x in (low, high) if x is not None}
         candidates |= {fmpq(x) for x in (-1, 0, 1) if first < x < last}
@@ -451,7 +452,20 @@ class _Search:
                 self.zeros[x] = order
         return None
 
-    def how_many(self, e: Expr) -> bool:
+    def _find_quotients(self, first: fmpq, last: fmpq) -> None:
+        """Find where a quotient inside, such as sin(x)/x, has no value as it is written."""
+        for node in operations((self.above, self.below)):
+            if node.op != "^" or not self.varies(node.args[0]):
+                continue
+            exponent = node.args[1]
+            if exponent.op != "number" or exponent.args[0] > 0:
+                continue
+            for x in (fmpq(-1), fmpq(0), fmpq(1)):
+                value = self.how.value(node.args[0], {self.name: arb(x)})
+                if first < x < last and value.is_zero():
+                    self.kinks.add(x)
+
+    def varies(self, e: Expr) -> bool:
         """Return whether an expression depends on the variable."""
         return e.op != "number" and self.name in symbols(e)
 

@@ -29,6 +29,7 @@ from tresym.report import charts
 from tresym.report.charts import saved
 from tresym.report.figures.grid import shown
 from tresym.report.pages import coq_page
+from tresym.report.pages.approximations import page as approximations_page
 from tresym.report.pages.article import article, passages
 from tresym.report.pages.check_tables import by_kind, by_source, measured
 from tresym.report.pages.corrections import corrections
@@ -94,6 +95,7 @@ def pages(report: Report) -> Iterator[tuple[str, str]]:
     yield "symbols.md", symbols(report)
     yield "methods.md", methods()
     yield "functions.md", functions_page()
+    yield "approximations.md", approximations_page(_docs())
     yield "coq_proofs.md", coq_page.page()
     measured_tests = [*map(saved.load, ("guards", "hunts", "mutants"))]
     yield "trust.md", trust(report, *measured_tests)
