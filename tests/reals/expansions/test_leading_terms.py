@@ -299,4 +299,6 @@ def test_a_zero_near_by_is_not_passed_over(digits: int) -> None:
     zero = fmpq(1, 10**digits)
     for text, at in ((f"x - 10**(-{digits})", parse("0")), (f"x - 10**{digits}", None)):
         found = sign_towards(parse(text), "x", at, 1)
-        assert found is None or (found[1] < zero and found[0] == (-1 if at else 1))
+        assert found is not None
+        assert found[0] == (-1 if at else 1)
+        assert found[1] < zero
