@@ -527,3 +527,13 @@ def test_the_part_of_the_region_that_a_claim_speaks_of(claim: str, region: str |
     assert found
     expected = None if region is None else f"where both sides are defined: {region}"
     assert found.region == expected
+
+
+@pytest.mark.parametrize("separator", ["\u2028", "\x0c", "\x85", "\x1d"])
+def test_lines_are_those_of_an_editor(tmp_path: Path, separator: str) -> None:
+    claims = tmp_path / "claims"
+    claims.write_bytes(f"# a comment {separator} x < x\r\n1 < 2\n\n2 < 3".encode())
+    assert [(task.claim, task.line) for task in read_tasks(str(claims), "", None)] == [
+        ("1 < 2", 2),
+        ("2 < 3", 4),
+    ]

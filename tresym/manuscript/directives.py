@@ -126,7 +126,7 @@ def with_notes(events: list[Event], path: Path) -> list[Event]:
     """
     found: dict[int, tuple[Note, ...]] = {}
     displays = {event.number: event for event in events if isinstance(event, Display)}
-    for line, text in enumerate(read_text(path).splitlines(), 1):
+    for line, text in enumerate(read_text(path).split("\n"), 1):
         if not text.strip() or text.startswith("#"):
             continue
         number, _, rest = text.strip().partition(" ")
