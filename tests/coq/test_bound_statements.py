@@ -37,6 +37,10 @@ def test_a_statement_says_what_is_claimed_and_that_its_parts_are_defined(
     [
         ("integral(sin(t)/t, t, x, 1) == O(x) as x -> 0", "integrals or sums"),
         ("x == O(x*y) as x*y -> oo given x > 1, y > 1", "of an expression"),
+        ("x*y -> 0 as (x, y) -> (0, 0)", "of several variables"),
+        ("sin(x) == x + O(x^3) as x -> 0 on abs(x) <= 1", "on a region"),
+        ("atan(x) == O(1) as x -> oo on x > 0", "on a region"),
+        ("sin(a*x) == O(x) uniformly as x -> 0 given 0 < a, a < 1", "one constant for all"),
         ("integral(integral(x*y, x, 0, 1), y, 0, 1) == 1/4", "within an integral"),
         ("sum(k, k, -2, n) == n*(n + 1)/2 - 3", "begin at a natural number"),
     ],

@@ -97,8 +97,12 @@ def bound_theorem(claim: Comparison, statement: Statement, name: str) -> BoundTh
         whole.add(path.name)
     if path is not None and whole - {path.name}:
         raise NotExportedError("limits with integers as parameters cannot be exported to Coq yet")
-    if path is not None and path.expression is not None:
-        raise NotExportedError("a path of an expression cannot be exported to Coq yet")
+    if path is not None and (path.expression is not None or path.together):
+        raise NotExportedError(
+            "a path of an expression or of several variables cannot be exported to Coq yet"
+        )
+    if path is not None and (path.reach is not None or path.region):
+        raise NotExportedError("the constant of an order on a region cannot be exported to Coq yet")
     if statement.uniformly:
         raise NotExportedError("one constant for all parameters cannot be exported to Coq yet")
     says = _along(claim, path, whole) if path is not None else _related(claim, frozenset(whole))
