@@ -169,7 +169,9 @@ def _terms(statement: Statement, count: int) -> Terms | None:
     path = statement.path
     assert path is not None
     if statement.has_initial_values and claim.left.op == "unknown":
-        return _of_solution(statement, count)
+        found = _of_solution(statement, count)
+        if found is not None:
+            return found
     nodes = root_nodes(claim.left)
     if nodes:
         statement = _with_variable(statement, claim.left, nodes)

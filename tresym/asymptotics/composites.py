@@ -42,6 +42,7 @@ from tresym.reals.language.expression import (
     symbol,
 )
 from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.signs.interior import is_zero
 
 Polynomial = list[Expr]
 """Coefficients of the powers of s."""
@@ -119,21 +120,37 @@ class Composite:
         if start is None:
             term = rest / self.b[0]
         else:
-            y = "[O]"
-            right = tidied(normal_form((rest - self.b[0] * symbol(y)) / self.a[0], given))
-            values = (Value(start[0], y, tidied(normal_form(start[1], given))),)
-            problem = Problem(layer.x, {y: right}, values, {(y, 0): y})
-            curve = next(iter(solutions(problem, given)), None)
-            if curve is None:
-                raise OpenError(
-                    f"no explicit solution of the equation without the small parameter was "
-                    f"found: derivative {right}"
-                )
-            term = curve[y]
+            factor = tidied(normal_form(self.b[0] / self.a[0], given))
+            force = tidied(normal_form(rest / self.a[0], given))
+            term = self._linear(factor, force, start[0], tidied(normal_form(start[1], given)))
         term = tidied(normal_form(term, given))
         self.terms.append(term)
         self.slopes.append(differentiate(term, layer.x))
         self.curves.append(differentiate(self.slopes[-1], layer.x))
+
+    def _linear(self, factor: Expr, force: Expr, point: Expr, value: Expr) -> Expr:
+        """Return the solution of y' + factor*y = force with a value at a point.
+
+        Raises:
+            OpenError: none is found.
+        """
+        x, y, given = self.layer.x, "[O]", self.layer.closed
+        right = force - factor * symbol(y)
+        problem = Problem(x, {y: right}, (Value(point, y, value),), {(y, 0): y})
+        for curve in solutions(problem, self.layer.fixed):
+            e = curve[y]
+            if not is_zero(differentiate(e, x) + factor * e - force, given):
+                continue
+            gap = tidied(normal_form(value - substitute(e, {x: point}), given))
+            if is_zero(gap, given):
+                return e
+            if is_zero(force, given):  # a multiple of the solution was found
+                return e * value / substitute(e, {x: point})
+            return e + self._linear(factor, ZERO, point, gap)
+        raise OpenError(
+            f"no explicit solution of the equation without the small parameter was found: "
+            f"derivative {right}"
+        )
 
     def total(self) -> Expr:
         """Return the sum of all terms, as an expression in x and t."""
