@@ -24,6 +24,7 @@ from tresym.reals.expansions.gruntz import Rewritten
 from tresym.reals.expansions.scale import Leading, T, UnresolvedError
 from tresym.reals.expansions.suprema import SHORTER, Near, Supremum, supremum
 from tresym.reals.expansions.truncated_series import quotient, raised
+from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
     LEAVES,
     ONE,
@@ -158,12 +159,14 @@ def _near(f: Expr, g: Expr, found: Rewritten) -> Near:
 def near_end(left: Expr, right: Expr, name: str, point: Expr | None, side: int) -> Near | None:
     """Return bounds of |left/right| beside a point, or beyond a large value, by leading terms.
 
-    None unless left = O(right) there is shown and nothing oscillates.
+    None unless left = O(right) there is shown and nothing oscillates, or if there are integrals.
 
     Args:
         point: where; None for infinity.
         side: +1 from above or to +∞, −1 from below or to −∞.
     """
+    if not elementary(left, right):
+        return None
     t = symbol(T)
     put = {name: side / t if point is None else point + side * t}
     found = Rewritten(T)

@@ -594,8 +594,11 @@ class _AtEnd:
     def _add(self) -> bool:
         near = near_end(self.rest, self.below, self.name, self.end, self.side)
         self.levels.append((self.terms, near))
+        self.more = near is not None
+        if near is None:
+            return False
         found = written_term(self.rest, self.name, self.end, self.side, Given())
-        self.more = near is not None and found is not None
+        self.more = found is not None
         if found is not None:
             t = symbol(T)
             put = {self.name: self.side / t if self.end is None else self.end + self.side * t}
