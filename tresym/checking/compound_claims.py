@@ -311,30 +311,39 @@ class _Deciding:
                 at_ends.append(apart)
                 continue
             same = self.asked((value, "==", ZERO), claim.given)
-            if not same:
+            if not same or undefined(value, search.plain, proof) is not None:
                 why = f"it is not shown whether the end {end} is a solution: {apart.why}"
                 return _first(Answer(UNDECIDED, why), search.refuted_by_counting)
             at_ends.append(same)
             found += 1
-        if found == 2:
-            gap = self.asked((claim.low, "<", claim.high), claim.given)
-            if gap and claim.how == "at least one":
-                return Answer(gap.verdict, "both ends are solutions")
-            if gap and search.point_of_parameters() is not None:
-                at = search.point_of_parameters() or {}
-                return refuted("both ends are solutions", at)
-        if found == 1:
-            if claim.how == "at least one":
-                return Answer(worst(at_ends).verdict, "an end is a solution")
-            others = self.asked((search.f, "!=", ZERO), search.inside)
-            if others:
-                weakest = worst((*at_ends, others))
-                why = f"an end is a solution, and there is none between the ends: {others.why}"
-                obligations = tuple(map(_obligation, (*at_ends, others)))
-                return Answer(weakest.verdict, why, obligations=obligations)
-            return _first(Answer(UNDECIDED, others.why), search.refuted_by_counting)
+        if found:
+            return self.with_a_solution_at_an_end(search, at_ends, found)
         open_ = _Solutions(claim._replace(closed=(False, False)), search.f, search.name)
         return self.between_the_ends(open_)
+
+    def with_a_solution_at_an_end(
+        self, search: _Solutions, at_ends: list[Answer], found: int
+    ) -> Answer:
+        """Count where one end or both are solutions, if the interval contains them at all."""
+        claim = search.claim
+        asked: list[Answer] = []
+        if found == 2 and claim.how != "at least one":  # two solutions, unless the ends coincide
+            apart = self.asked((claim.low, "<", claim.high), claim.given)
+            at = search.point_of_parameters() if apart else None
+            if at is not None:
+                return refuted("both ends are solutions", at)
+            return _first(Answer(UNDECIDED, apart.why), search.refuted_by_counting)
+        if not search.is_unbounded and claim.how != "at most one":
+            sign = "<=" if all(claim.closed) else "<"
+            asked.append(self.asked((claim.low, sign, claim.high), claim.given))
+        if claim.how != "at least one":
+            asked.append(self.asked((search.f, "!=", ZERO), search.inside))
+        if not all(asked):
+            return _first(_not_shown(asked), search.refuted_by_counting)
+        shown_ = (*at_ends, *asked)
+        why = "an end is a solution"
+        why += "" if claim.how == "at least one" else ", and there is none between the ends"
+        return Answer(worst(shown_).verdict, why, obligations=tuple(map(_obligation, shown_)))
 
     def between_the_ends(self, search: _Solutions) -> Answer:
         claim = search.claim
@@ -639,10 +648,12 @@ class _Solutions:
                 yield at
 
     def is_empty(self, at: Mapping[str, fmpq]) -> bool:
-        """Whether the lower end is the upper one or lies above it."""
+        """Whether no number lies in the interval: its ends are in the wrong order, or coincide."""
         with ball_precision():
             low, high = (_end_value(end, at) for end in (self.claim.low, self.claim.high))
-            return low is not None and high is not None and bool(low > high or low == high)
+            if low is None or high is None:
+                return False
+            return bool(low > high or (low == high and not all(self.claim.closed)))
 
     def solutions(self, at: Mapping[str, fmpq]) -> list[str]:
         """Return where up to two different solutions lie at values of the parameters."""
