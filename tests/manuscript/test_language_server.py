@@ -77,9 +77,11 @@ class Editor:
         await self.client.stop()
 
 
-def with_editor(tmp_path: Path, text: str, scene: Callable[[Editor], Awaitable[None]]) -> None:
+def with_editor(
+    tmp_path: Path, text: str, scene: Callable[[Editor], Awaitable[None]], name: str = "m.tex"
+) -> None:
     async def play() -> None:
-        editor = Editor((tmp_path / "m.tex").as_uri())
+        editor = Editor((tmp_path / name).as_uri())
         try:
             await editor.start(text)
             await scene(editor)
@@ -169,3 +171,32 @@ def test_a_display_within_a_line_gets_its_directive_before_it() -> None:
 def test_a_row_whose_line_is_gone_breaks_nothing() -> None:
     assert display_lines(ROW | {"line": 99}, "one\ntwo") == (1, 1)
     assert quick_fixes([ROW | {"line": 99}], "u", "one\ntwo")
+
+
+CLAIMS = """# Sines
+x, e real; given 0 < e < 1
+right: exp(x) >= 1 + x
+wrong: sin(e) == e - e**3/5 + O(e**5)
+  as e -> 0+
+unread: sin(
+"""
+
+
+@pytest.mark.slow
+def test_a_file_of_claims_is_put_right_in_an_editor(tmp_path: Path) -> None:
+    async def scene(editor: Editor) -> None:
+        (unread,) = await editor.diagnostics()  # at once, before any verdict
+        assert (unread.code, unread.range.start.line) == ("UNREADABLE", 5)
+        found = await editor.diagnostics()
+        assert [(one.code, one.range.start.line) for one in found] == [
+            ("UNREADABLE", 5),
+            ("REFUTED", 3),
+        ]
+        fixes = await editor.fixes(3)
+        (right,) = (edit for title, edit in fixes.items() if "e**3/6" in title)
+        mended = applied(CLAIMS, right).replace("unread: sin(\n", "")
+        assert "wrong: sin(e) == e - e**3/6 + O(e**5) as e -> 0+\n" in mended
+        editor.change(mended)
+        assert await editor.diagnostics() == []
+
+    with_editor(tmp_path, CLAIMS, scene, "own.tresym")

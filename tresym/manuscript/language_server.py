@@ -16,6 +16,7 @@ import sys
 import tempfile
 from contextlib import suppress
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from lsprotocol import types
@@ -83,6 +84,8 @@ class ManuscriptServer(LanguageServer):
         now = self.workspace.get_text_document(uri)
         text, version = now.source, now.version
         path = uris.to_fs_path(uri) or "manuscript.tex"
+        if path.endswith(".tresym"):
+            await self._show_unread(uri, path, text, version)
         asked = json.dumps({"path": path, "text": text, "limit": self.limit})
         process = await self._process()
         try:
@@ -99,6 +102,15 @@ class ManuscriptServer(LanguageServer):
         if "error" in found:
             diagnostics.append(_at(0, 0, found["error"], types.DiagnosticSeverity.Information))
         self._publish(uri, diagnostics, version)
+
+    async def _show_unread(self, uri: str, path: str, text: str, version: int | None) -> None:
+        """Show the lines that cannot be read at once, before the claims are decided."""
+        from tresym.papers.editor_rows import unread_rows
+
+        file = Path(path)
+        rows = await asyncio.to_thread(unread_rows, file.name, text, file.parent)
+        if rows:
+            self._publish(uri, [self._diagnostic(row, text) for row in rows], version)
 
     async def _process(self) -> asyncio.subprocess.Process:
         """Return a process that waits for a text, and prepare the next one."""
@@ -216,7 +228,10 @@ def quick_fixes(rows: list[dict[str, Any]], uri: str, text: str) -> list[types.C
     """Return the quick fixes for a display that is refuted, suspect or undecided."""
     found: list[types.CodeAction] = []
     for row in rows:
-        if row["status"] not in _SEVERITY or row["kind"] == CLAIM:
+        if row["status"] not in _SEVERITY:
+            continue
+        if row["kind"] == CLAIM:
+            found += _claim_fixes(row, uri, text)
             continue
         first, _ = display_lines(row, text)
         for latex in row["replacements"]:
@@ -232,6 +247,29 @@ def quick_fixes(rows: list[dict[str, Any]], uri: str, text: str) -> list[types.C
         for title, note in notes.items():
             found.append(_action(title, uri, _inserted(text, first, note)))
     return list({action.title: action for action in found}.values())
+
+
+def _claim_fixes(row: dict[str, Any], uri: str, text: str) -> list[types.CodeAction]:
+    """Return for a refuted claim of a file the claims that hold instead; the clauses stay."""
+    lines = text.split("\n")
+    first = min(max(row["line"] - 1, 0), len(lines) - 1)
+    match = re.match(r"[^:]*:(?!=)\s*", lines[first])
+    last = first
+    while last + 1 < len(lines) and lines[last + 1][:1] in (" ", "\t") and lines[last + 1].strip():
+        last += 1
+    if match is None:
+        return []
+    written = " ".join([lines[first][match.end() :], *map(str.strip, lines[first + 1 : last + 1])])
+    clauses = re.search(r"\s(?:as|on|at)\s.*$", re.sub(r"\sexpect\s+refuted\b", "", written))
+    start, end = types.Position(first, match.end()), types.Position(last, 10_000)
+    found = []
+    for one in row["instead"]:
+        given = f" given {one['given']}" if one["given"] else ""
+        path = "" if " as " in one["claim"] or clauses is None else clauses[0].rstrip()
+        path = re.sub(r"\sgiven\s.*?(?=\s(?:as|on|at)\s|$)", "", path)
+        edit = types.TextEdit(types.Range(start, end), f"{one['claim']}{given}{path}")
+        found.append(_action(f"Replace by {one['claim']}{given}", uri, edit))
+    return found
 
 
 def _action(title: str, uri: str, edit: types.TextEdit) -> types.CodeAction:

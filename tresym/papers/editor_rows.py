@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from tresym.papers.reading import PaperClaim, read_paper
+from tresym.papers.reading import OwnPaper, PaperClaim, read_paper
 from tresym.papers.verification import Row, verify_paper
 
 UNREADABLE = "UNREADABLE"
@@ -25,12 +25,22 @@ def claims_file_rows(
         folder: where the files are that it uses.
     """
     paper = read_paper(text, name, folder)
-    rows = [
-        _row(problem.line, UNREADABLE, problem.message, text.split("\n")[problem.line - 1].strip())
-        for problem in paper.problems
-    ]
+    rows = _unread(paper, text)
     report = verify_paper(paper, limit=limit)
     return [*rows, *(_of_verdict(row) for row in report.rows)]
+
+
+def unread_rows(name: str, text: str, folder: Path | None = None) -> list[dict[str, Any]]:
+    """Return the rows of the lines that cannot be read, which are known before any verdict."""
+    return _unread(read_paper(text, name, folder), text)
+
+
+def _unread(paper: OwnPaper, text: str) -> list[dict[str, Any]]:
+    lines = text.split("\n")
+    return [
+        _row(problem.line, UNREADABLE, problem.message, lines[problem.line - 1].strip())
+        for problem in paper.problems
+    ]
 
 
 def _of_verdict(row: Row) -> dict[str, Any]:
