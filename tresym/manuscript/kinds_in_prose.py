@@ -33,7 +33,12 @@ _NOUNS = (
         r"complex(?:-valued)? (?:numbers?|variables?|constants?|parameters?|roots?|scalars?)",
     ),
     (MATRIX, r"matri(?:x|ces)|tensors?|quaternions?|spinors?|bivectors?|multivectors?|octonions?"),
-    (OPERATOR, r"operators?|projections?|projectors?|linear transformations?|functionals?"),
+    (OPERATOR, r"operators?|projections?|projectors?|functionals?"),
+    (
+        OPERATOR,
+        r"(?:linear|Lorentz|Galilean|gauge|unitary|orthogonal|similarity|affine|symmetry|coordinate"
+        r"|canonical|Legendre|Fourier|Laplace|invertible) transformations?",
+    ),
     (OPERATOR, r"derivations?|linear maps?|(?:Laplace|Fourier|integral) transform operators?"),
     (OPERATOR, r"(?:homo|endo|auto|iso)morphisms?|observables?|permutations?|commutators?"),
     (VECTOR, r"(?:eigen|co|bi)?vectors?|vector fields?|(?:electric|magnetic|velocity) fields?"),
