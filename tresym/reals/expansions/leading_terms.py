@@ -182,6 +182,8 @@ def near_end(left: Expr, right: Expr, name: str, point: Expr | None, side: int) 
 
 def is_unbounded(left: Expr, right: Expr, name: str, point: Expr | None, side: int) -> bool:
     """Return whether |left/right| -> oo beside a point, or beyond large values, is shown."""
+    if not elementary(left, right):
+        return False
     t = symbol(T)
     put = {name: side / t if point is None else point + side * t}
     found = Rewritten(T)
