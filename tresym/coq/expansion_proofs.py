@@ -19,6 +19,7 @@ from tresym.reals.language.expression import (
     LEAVES,
     MINUS_ONE,
     ONE,
+    PI,
     ZERO,
     Expr,
     add,
@@ -393,8 +394,24 @@ class Expansions:
         )
         self.stated(e, half, whole, before + proof)
 
+    def _far_arctangent(self, e: Expr, arg: Expr) -> None:
+        """Expand ``atan(x)`` for large x as ``pi/2 - atan(1/x)``."""
+        turned = Expr("*", (MINUS_ONE, Expr("atan", (Expr("^", (arg, MINUS_ONE)),))))
+        other = Expr("+", (Expr("*", (PI, number(1) / 2)), turned))
+        above, found = self.holds(arg, ">"), self.of(other)
+        proof = (
+            f"assert (Q : at_right 0 (fun t : R => 0 < {term(arg)})).\n{{ {above} }}\n"
+            f"apply (g_ext {found.order} _ {function(term(other))}).\n"
+            "{ revert Q; apply filter_imp; intros t Q; rewrite (atan_left _ Q); lra. }\n"
+            f"exact {found.name}."
+        )
+        self.stated(e, found.shift, found.coefficients, proof)
+
     def _function(self, e: Expr) -> None:
         (arg,) = e.args
+        if e.op == "atan" and self.of(arg).shift < 0 and self.leading(arg).shift < 0:
+            self._far_arctangent(e, arg)
+            return
         found = self.leading(arg) if e.op == "log" else self.level(arg)
         if e.op == "log" and (found.shift or sign(found.coefficients[0], self.given) != "+"):
             raise NoExpansionError
