@@ -110,7 +110,8 @@ def decide_rooted(claim: Comparison, statement: Statement, decided: Decide) -> A
         inside = replace(plain, path=None, given=beyond)
         if not decided(Comparison(rest, ">=", ZERO), inside):
             return open_(f"{rest} >= 0 given {beyond} is needed")
-    scale = substitute(growth.scale, {path.name: apply("log", n)}) * power(n, delta)
+    scale = substitute(growth.scale, {path.name: apply("log", n)})
+    scale = scale if delta == ZERO else scale * power(n, delta)
     if claim.relation == "~" and not growth.sharp:
         return open_(f"{node} = Theta({scale}) is known; its ratio to that may oscillate")
     answer = decided(replace(claim, left=scale), plain)
