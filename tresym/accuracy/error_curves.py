@@ -13,6 +13,7 @@ from flint import fmpq
 
 from tresym.accuracy.error_table import ErrorTable, error_table
 from tresym.accuracy.values import Exact, certified, constant
+from tresym.reals.decisions.path_regions import conditions_of
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import substitute
 from tresym.reals.language.parsing import parse
@@ -104,7 +105,7 @@ def _bound(table: ErrorTable) -> list[tuple[float, float]]:
         return []
     way = read_path(table.path)
     gauge, high = parse(table.gauge), float(table.constant.high)
-    inside = Given.parse(table.constant.region.replace(f"|{way.name}|", f"abs({way.name})"))
+    inside = Given(conditions_of(table.constant.region))
     found = []
     for row in table.rows:
         (text,) = row.at.values()

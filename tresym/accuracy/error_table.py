@@ -38,6 +38,7 @@ from tresym.asymptotics.recurrences import explicit_sequence
 from tresym.checking import check
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import read as read_claim
+from tresym.reals.decisions.path_regions import conditions_of
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import root
 from tresym.reals.language.calls import INFINITY
@@ -618,7 +619,7 @@ def _from_rows(
     middle, radius = (as_rational(x) for x in answer.constant)
     name = question.path.name
     try:
-        inside = Given.parse(answer.region.replace(f"|{name}|", f"abs({name})"))
+        inside = Given(conditions_of(answer.region))
     except InputError:
         return None
     best: tuple[fmpq, str] | None = None

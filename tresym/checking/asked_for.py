@@ -11,9 +11,8 @@ from __future__ import annotations
 from flint import fmpq
 
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.path_regions import reach_of
+from tresym.reals.decisions.path_regions import conditions_of, reach_of
 from tresym.reals.decisions.statement import Statement, functions
-from tresym.reals.domain.conditions import Given
 from tresym.reals.language.calls import FACTORIAL
 from tresym.reals.language.claims import chained
 from tresym.reals.language.comparisons import Comparison
@@ -89,11 +88,7 @@ def reach_on(region: str, path: Path) -> fmpq | None:
 
 def _links(region: str, path: Path) -> tuple[list[Compared], list[Compared]]:
     """Return the conditions of a region on the variable of the path, and the others."""
-    plain = region
-    while plain.count("|") >= 2:
-        before, inside, after = plain.split("|", 2)
-        plain = f"{before}abs({inside}){after}"
-    links = Given.parse(plain).comparisons
+    links = conditions_of(region)
     on = [link for link in links if path.name in symbols(link[0]) | symbols(link[2])]
     return on, [link for link in links if link not in on]
 

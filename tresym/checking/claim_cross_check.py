@@ -23,6 +23,7 @@ from tresym.reals.cross_check import (
     where,
 )
 from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.path_regions import conditions_of
 from tresym.reals.decisions.readable_witnesses import tidied
 from tresym.reals.decisions.statement import Statement, factorial_arguments, implied_integers
 from tresym.reals.domain.conditions import Given
@@ -43,7 +44,6 @@ from tresym.reals.language.expression import (
     substitute,
     symbols,
 )
-from tresym.reals.language.parsing import parse_given
 from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import parse_number
@@ -136,8 +136,7 @@ def _attack_root(claim: Comparison, statement: Statement, answer: Answer) -> str
     high = parse_number(answer.constant.mid) + parse_number(answer.constant.rad)
     size = apply("abs", claim.left) - number(high) * apply("abs", claim.right)
     equations = tuple((x, "==", y) for x, y in statement.equations)
-    region = parse_given(answer.region.replace("|", ""))
-    given = (*statement.given.comparisons, *equations, *region)
+    given = (*statement.given.comparisons, *equations, *conditions_of(answer.region))
     return contradiction((size, "<=", ZERO), given, integers=statement.integers)
 
 

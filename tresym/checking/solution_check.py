@@ -24,11 +24,11 @@ from flint import arb, arb_series, ctx, fmpq
 
 from tresym.reals.cross_check import FALSE, conditions, said
 from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.path_regions import conditions_of
 from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.operation_domains import operations
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import Expr, replaced, symbol, symbols, unknown
-from tresym.reals.language.parsing import parse_given
 from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, parse_number
@@ -921,7 +921,7 @@ def _secular(
 def _region(answer: Answer) -> Any:
     if answer.constant is None or answer.region is None:
         return None
-    return parse_given(answer.region.replace("|", ""))
+    return conditions_of(answer.region)
 
 
 def _exceeds(answer: Answer, region: Any, here: Numbers, sides: Sequence[arb]) -> bool:

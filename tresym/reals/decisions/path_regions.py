@@ -92,6 +92,22 @@ def reaches_end(region: Iterable[Compared], path: Path) -> bool:
         )
 
 
+def conditions_of(region: str) -> tuple[Compared, ...]:
+    """Return the conditions that the region of an answer consists of, ``|x|`` read as abs(x).
+
+    Example:
+        >>> conditions_of("0 < |x - 1| <= 1/2")[1]
+        (Expr('abs(x - 1)'), '<=', Expr('1/2'))
+
+    Raises:
+        InputError: the region is said in words.
+    """
+    while region.count("|") >= 2:
+        before, inside, after = region.split("|", 2)
+        region = f"{before}abs({inside}){after}"
+    return Given.parse(region).comparisons
+
+
 def reach_of(region: Iterable[Compared], path: Path) -> fmpq:
     """Return the largest value of the small parameter of a path in a region.
 

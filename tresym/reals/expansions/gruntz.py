@@ -112,6 +112,8 @@ class Rewritten:
             return self.of(row.by_others(*e.args, trees))
         if e.op in SPECIAL:
             return self._special(e)
+        if e.names or e.op == "unknown":
+            raise UnresolvedError(f"{e.op} has no expansion here")
         args = tuple(map(self.of, e.args))
         if e.op == "+":
             return collected(rebuild(e, args))
