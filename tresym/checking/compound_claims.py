@@ -659,6 +659,8 @@ class _Solutions:
         """Return where up to two different solutions lie at values of the parameters."""
         with ball_precision():
             low, high = (_end_value(end, at) for end in (self.claim.low, self.claim.high))
+            if low is not None and high is not None and not low <= high:
+                return []
             places = _places(low, high)
             places += [x for n, x in enumerate((low, high))
                        if self.claim.closed[n] and isinstance(x, fmpq)]  # fmt: skip
