@@ -56,3 +56,24 @@ def test_the_supremum_is_enclosed(asked: tuple[str, ...], difference: Of) -> Non
 @pytest.mark.slow
 def test_no_constant_without_a_proof(asked: tuple[str, ...]) -> None:
     assert tresym.constant(*asked) is None
+
+
+@pytest.mark.parametrize(
+    ("asked", "smallest"),
+    [
+        (("sin(x)", "x", "x**3", "x -> 0", "abs(x) <= pi/2"), 0.1666666667),
+        (("log(1 + x)", "x", "x**2", "x -> 0+", "x > 0"), 0.5),
+        (("atan(x)", "pi/2 - 1/x", "1/x**3", "x -> oo", "x > 0"), 0.3333333333),
+        (("asin(x)", "x", "x**3", "x -> 0", "-1 <= x <= 1"), 0.5707963268),
+    ],
+)
+def test_natural_regions(asked: tuple[str, ...], smallest: float) -> None:
+    found = tresym.constant(*asked)
+    assert found is not None
+    assert float(found.low) <= smallest <= float(found.high) <= 1.02 * smallest
+
+
+def test_no_constant_where_the_ratio_is_not_bounded() -> None:
+    assert tresym.constant("exp(x)", "1", "x", "x -> 0+", "x > 0") is None
+    with pytest.raises(tresym.InputError):
+        tresym.constant("exp(x)", "1", "x", "x -> 0+", "x > 1")

@@ -17,15 +17,17 @@ from __future__ import annotations
 from flint import arb, fmpq
 
 from tresym.accuracy.values import certified, read
-from tresym.asymptotics.constants import Constant, along, as_constant, reach_of
+from tresym.asymptotics.constants import Constant, along, as_constant, reach_of, rounded
 from tresym.asymptotics.constants import constant as of_explicit
+from tresym.asymptotics.sharp_constants import CLOSE, SHARP
 from tresym.checking import check
 from tresym.reals.decisions.closed_values import RULES, certified_evaluation
+from tresym.reals.decisions.path_regions import interval_of, reaches_end
 from tresym.reals.decisions.root_values import by_leibniz
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.domain.operation_domains import operations
-from tresym.reals.expansions.maxima import Evaluations
+from tresym.reals.expansions.maxima import Evaluations, exact_ends
 from tresym.reals.expansions.scale import T
 from tresym.reals.expansions.suprema import Evaluation, Supremum, supremum
 from tresym.reals.language.binders import elementary, outermost
@@ -87,8 +89,11 @@ def constant(
     """
     f, g = read(exact) - read(approx), read(gauge)
     way = read_path(path) if isinstance(path, str) else path
+    if region and _is_natural(region, way):
+        return _on_interval(f, g, way, region)
     if elementary(f, g):
-        return of_explicit(f, g, way, region)
+        explicit = of_explicit(f, g, way, region)
+        return _on_interval(f, g, way, region) if explicit is None and region else explicit
     if (symbols(f) | symbols(g)) - {way.name, INFINITY.args[0]} or _has_infinite_end(f):
         return None
     asked = reach_of(parse_given(region), way) if region else way.reach
@@ -98,6 +103,31 @@ def constant(
         if len(kept) == len(found):
             return as_constant(kept, way, reach)
     return None
+
+
+def _is_natural(region: str, path: Path) -> bool:
+    """Whether a region is an interval around or beside the end that reach_of does not read."""
+    links = parse_given(region)
+    try:
+        reach_of(links, path)
+    except InputError:
+        return reaches_end(links, path)
+    return False
+
+
+def _on_interval(f: Expr, g: Expr, path: Path, region: str) -> Constant | None:
+    """Return the constant on a region such as x > 0 for x -> oo, or abs(x) <= pi/2 for x -> 0."""
+    if (symbols(f) | symbols(g)) != {path.name} or not elementary(f, g):
+        return None
+    ends = interval_of(parse_given(region))
+    assert ends is not None
+    found = exact_ends(f, g, path.name, *ends[1:], CLOSE)
+    if not found.within(SHARP):
+        return None
+    where = (
+        f"as {path}" if found.at is None else f"{path.name} = {arb(found.at).str(8, radius=False)}"
+    )
+    return Constant(rounded(found.low, -1), rounded(found.high, 1), region.strip(), where)
 
 
 def _has_infinite_end(f: Expr) -> bool:

@@ -28,4 +28,9 @@ def page(docs: Path) -> str:
         f"{count[HOLDS]} bounds hold, {count[ROUNDED]} more are the largest error rounded to the "
         f"printed digits, and {count[EXCEEDED]} exceeded.\n\n"
     ).replace("1 exceeded", "1 is exceeded")
+    for one in rows:
+        if one.verdict == EXCEEDED:
+            place = f" at {one.error.where}" if one.error.where else ""
+            head += f"{one.published.source}: the error is {one.error.low}{place}, where "
+            head += f"{one.published.bound} is printed.\n\n"
     return head + written(table(rows), "markdown")
