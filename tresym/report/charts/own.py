@@ -83,29 +83,55 @@ def errors(curves: Sequence[Curve], along: str, title: str, size: tuple[float, f
         raise InputError("chart: every error is 0 or the points are not positive")
     figure, ((axes,),) = style.canvas(*size)
     for n, curve in enumerate(curves):
+        name, words = typeset(curve.name), typeset(curve.words)
         colour = COLOURS[n % len(COLOURS)]
         look = {"marker": MARKERS[n % len(MARKERS)], "linestyle": LINES[n % len(LINES)]}
         points = sorted(curve.points)
         if points:
             axes.plot(
-                *zip(*points, strict=True), color=colour, label=curve.name or None,
+                *zip(*points, strict=True), color=colour, label=name or None,
                 markersize=4, linewidth=0.9, **look,
             )  # fmt: skip
         if curve.bound:
             axes.plot(
                 *zip(*curve.bound, strict=True), color=colour, linewidth=2.4, alpha=0.28,
-                label=curve.words or None, zorder=1,
+                label=words or None, zorder=1,
             )  # fmt: skip
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.set_xlabel(along)
+    axes.set_xlabel(typeset(along))
     axes.set_ylabel("|error|")
     axes.grid(color="0.92", linewidth=0.6)
     axes.set_axisbelow(True)
     if any(curve.name or curve.words for curve in curves):
         axes.legend(fontsize=7)
-    axes.set_title(title, fontsize=9)
+    axes.set_title(typeset(title), fontsize=9)
     return figure
+
+
+def typeset(text: str) -> str:
+    """Return a text with the formulas in it as mathematics between dollars, for a picture.
+
+    Example:
+        >>> typeset("error of a**2/16 + 1")
+        'error of $\\\\frac{a^{2}}{16} + 1$'
+    """
+    from matplotlib.mathtext import MathTextParser
+
+    from tresym.reals.language.parsing import parse
+    from tresym.reals.language.typesetting import expression_in_latex
+    from tresym.report.typesetting.formulas_in_words import parts
+
+    try:
+        pieces = [(expression_in_latex(parse(text)), True)] if text.strip() else []
+    except InputError:
+        pieces = list(parts(text))
+    shown = "".join(f"${part}$" if is_formula else part for part, is_formula in pieces)
+    try:
+        MathTextParser("path").parse(shown)
+    except ValueError:  # a command that the letters of pictures do not have
+        return text.replace("$", r"\$")
+    return shown
 
 
 def error_chart(
@@ -132,18 +158,21 @@ def error_chart(
     for one in found:
         table, words = one.table, ""
         if table.constant is not None:
-            words = f"≤ {table.constant.high} |{table.gauge}|"
+            words = f"at most {table.constant.high} times {table.gauge}"
         curves.append(Curve(table.approx, one.points, one.bound, words))
     way = read_path(path)
     name = way.name
     along = name if way.point is None or str(way.point) == "0" else f"|{name} − {way.point}|"
     title = f"Errors of approximations of {found[0].table.exact}"
-    caption = "Every point is a certified error. " + " ".join(
-        f"{note[0].upper()}{note[1:]}."
-        for one in found
-        for note in one.table.notes
-        if not note.startswith("at ")
-    )
+    sentences = ["Every point is a certified error."]
+    for table in (one.table for one in found):
+        if table.claim is not None:
+            claim = table.claim.read_as or table.claim.statement
+            sentences.append(f"{table.claim.verdict.value}: {claim}.")
+        if table.constant is not None:
+            ends = f"between {table.constant.low} and {table.constant.high}"
+            sentences.append(f"Smallest constant on {table.constant.region}: {ends}.")
+    caption = " ".join(sentences)
     shown = title if len(title) <= 80 else title[:77] + "…"
     return lambda kind: saved(
         lambda: errors(curves, along, shown, (5.6, 3.8)), title, caption, kind

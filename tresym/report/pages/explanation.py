@@ -30,7 +30,7 @@ from tresym.reals.normal.ring import UndefinedError
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, decimal_ball
 from tresym.reals.verdict import Cause
-from tresym.report.pages.formulas_in_words import parts, region_latex
+from tresym.report.typesetting.formulas_in_words import parts, region_latex
 
 STEPS = tuple(fmpq(1, 4**n) for n in range(6))
 """Where the two sides are compared: values of the small parameter."""
@@ -182,7 +182,7 @@ def _compared(claim: str, given: str, path: str | None) -> Iterator[tuple[str, .
     limit = compared.relation == LIMIT
     if compared.relation == "~" and len(terms := asserted_terms(compared.right, end.name)) > 1:
         compared = Comparison(compared.left - compared.right, "o", terms[-1])
-    rows = list(_rows(compared, statement, limit))
+    rows = _rows(compared, statement, limit)
     if len(rows) > 1:
         sides = str(compared.left), str(compared.right)
         shown = sides[:1] if limit else (*sides, "left/right")
@@ -190,11 +190,12 @@ def _compared(claim: str, given: str, path: str | None) -> Iterator[tuple[str, .
         yield from rows
 
 
-def _rows(compared: Comparison, statement: Statement, limit: bool) -> Iterator[tuple[str, ...]]:
+def _rows(compared: Comparison, statement: Statement, limit: bool) -> list[tuple[str, ...]]:
     path = statement.path
     assert path is not None
-    for t in STEPS:
-        with ball_precision():
+    rows = []
+    with ball_precision():
+        for t in STEPS:
             point = along(path, path.sides[0])
             at = {path.name: substitute(point, {T: number(t)})}
             sides = (compared.left,) if limit else (compared.left, compared.right)
@@ -205,7 +206,8 @@ def _rows(compared: Comparison, statement: Statement, limit: bool) -> Iterator[t
                 continue
             if all(value.is_finite() and value.rad() < 1e-3 for value in values):
                 shown = (decimal_ball(value, DIGITS).mid for value in values)
-                yield (str(at[path.name]), *shown)
+                rows.append((str(at[path.name]), *shown))
+    return rows
 
 
 def _formula(text: str) -> str:

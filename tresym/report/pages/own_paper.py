@@ -47,7 +47,7 @@ from tresym.reals.language.typesetting import expression_in_latex as any_express
 from tresym.reals.language.typesetting import to_latex as any_formula
 from tresym.reals.verdict import Verdict
 from tresym.report.pages import notebook
-from tresym.report.pages.formulas_in_words import parts, region_latex
+from tresym.report.typesetting.formulas_in_words import parts, region_latex
 from tresym.report.typesetting.plain_text import plain
 
 LINE = 72

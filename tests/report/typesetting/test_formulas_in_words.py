@@ -2,7 +2,7 @@
 
 import pytest
 
-from tresym.report.pages.formulas_in_words import parts, region_latex
+from tresym.report.typesetting.formulas_in_words import parts, region_latex
 
 
 @pytest.mark.parametrize(
