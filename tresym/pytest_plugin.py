@@ -2,7 +2,8 @@
 
 A test passes if its claim holds, or is refuted where the file says ``expect refuted``. A line that
 cannot be read fails as a test of its own. A file of single claims as ``tresym check -f`` reads it,
-one a line, is run in the same way if its name ends in ``.claims``. pytest finds the plugin by
+one a line, is run in the same way if its name ends in ``.claims``; so are the claims in comments of
+a program that is named on the command line (``pytest kernel.c``). pytest finds the plugin by
 itself once tresym is installed; ``pytest -p tresym.pytest_plugin`` loads it from a checkout.
 """
 
@@ -27,14 +28,28 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Fil
     """Collect files of claims."""
     kinds: dict[str, type[ClaimsFile] | type[LinesFile]] = {ENDING: ClaimsFile, LINES: LinesFile}
     kind = kinds.get(file_path.suffix)
+    if kind is None and parent.session.isinitpath(file_path) and _has_claims(str(file_path)):
+        kind = LinesFile
     if kind is None:
         return None
     found: pytest.File = kind.from_parent(parent, path=file_path)
     return found
 
 
+def _has_claims(file: str) -> bool:
+    """Return whether a file is a program with claims in its comments."""
+    from tresym.commands.check import read_tasks
+    from tresym.commands.claims_in_code import is_code
+    from tresym.reals.numbers.exact import InputError
+
+    try:
+        return is_code(file) and next(read_tasks(file, "", None), None) is not None
+    except InputError:
+        return False
+
+
 class LinesFile(pytest.File):
-    """A file of single claims, one a line; ``#`` begins a comment."""
+    """A file of single claims, one a line, or a program with claims in its comments."""
 
     def collect(self) -> Iterator[pytest.Item]:
         """Yield a test for each claim."""

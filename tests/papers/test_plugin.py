@@ -29,13 +29,15 @@ def test_pytest_runs_a_test_for_each_claim_and_each_bad_line(tmp_path: Path) -> 
 def test_pytest_runs_a_file_of_single_claims(tmp_path: Path) -> None:
     text = "# facts\nexp(x) >= 1 + x\nx**2 > 0\nsin(x) == x + O(x**3) as x -> 0\nx** > 0\n"
     (tmp_path / "own.claims").write_text(text)
+    (tmp_path / "own.c").write_text("int a;\n// tresym: 1 < 2\nint b; /* tresym: 2 < 1 */\n")
     done = subprocess.run(
-        [sys.executable, *PYTEST, "-v", "own.claims"],
+        [sys.executable, *PYTEST, "-v", "own.claims", "own.c"],
         cwd=tmp_path,
         capture_output=True,
         text=True,
     )
-    assert "2 failed, 2 passed" in done.stdout, done.stdout
+    assert "3 failed, 3 passed" in done.stdout, done.stdout
+    assert "own.c:3: REFUTED" in done.stdout
     assert "own.claims::2: exp(x) >= 1 + x PASSED" in done.stdout
     assert "own.claims:3: REFUTED" in done.stdout
     assert "own.claims:5:" in done.stdout

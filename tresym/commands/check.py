@@ -13,6 +13,7 @@ from shutil import get_terminal_size
 from typing import TYPE_CHECKING, TypeAlias
 
 from tresym.commands.claims_file import ENDING
+from tresym.commands.claims_in_code import claims_in_comments, how_to_write, is_code
 from tresym.commands.parser import Commands, add_options, add_output, json_line, parse_seconds
 from tresym.output import bold, colour_wanted, dim, say_if_waiting, show_progress, writing
 from tresym.reals.numbers.exact import InputError
@@ -60,13 +61,14 @@ def add(commands: Commands) -> None:
     parser.add_argument(
         "--on",
         metavar="REGION",
-        help="the region for which the constant of an order is computed: 0 < x <= 1/2",
+        help="the region of the constant of an order, or where a bound holds: 0 < x <= 1/2",
     )
     parser.add_argument(
         "-f",
         dest="file",
         metavar="FILE",
-        help="a file with one claim per line; # starts a comment; - reads standard input",
+        help="a file with one claim per line; # starts a comment; - reads standard input; of a "
+        "program (.py, .c, .jl, .glsl, .m and others) the comments '# tresym: CLAIM' are read",
     )
     parser.add_argument(
         "--coq",
@@ -278,6 +280,8 @@ def _with_known_names(answers: Answers) -> Answers:
 def read_tasks(file: str, given: str, path: str | None) -> Iterator[Task]:
     """Yield the claims of a file, one per line; ``#`` begins a comment.
 
+    Of a program only the comments ``tresym: CLAIM`` are read.
+
     Args:
         file: its path; ``-`` is standard input.
         given, path: conditions and path of every claim.
@@ -287,14 +291,17 @@ def read_tasks(file: str, given: str, path: str | None) -> Iterator[Task]:
     """
     from tresym.checking.time_limited import Task
 
+    code = is_code(file)
+    lines = claims_in_comments(file, _lines(file)) if code else _lines(file)
     tasks = (
         Task(claim, given, path, number)
-        for number, line in enumerate(_lines(file), 1)
+        for number, line in enumerate(lines, 1)
         if (claim := line.split("#")[0].strip())
     )
     first = next(tasks, None)
     if first is None:
-        raise InputError(f"{file}: it contains no claim; write one per line")
+        how = f"write it in a comment: {how_to_write(file)}" if code else "write one per line"
+        raise InputError(f"{file}: it contains no claim; {how}")
     return chain([first], tasks)
 
 

@@ -106,6 +106,8 @@ def _on_region(path: Path, on: tuple[Compared, ...]) -> Path:
 def _stated(written: Written, text: str) -> Statement:
     """What is decided of what is written."""
     parts, said, path, on, uniformly = written
+    if path is None and not any(link[1] in (*ORDERS, LIMIT) for link in parts):
+        said, on = (*said, *on), ()  # where a bound holds is a condition
     if path is None:
         parts, said = _with_slopes_at_points(parts, said)
     asked = uniformly
