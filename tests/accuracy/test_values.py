@@ -88,6 +88,13 @@ def test_rounding_is_to_the_nearest_decimal(x: Fraction, digits: int) -> None:
         assert text == "0"
 
 
+@pytest.mark.parametrize("x", ["-10000", "10000"])
+def test_more_digits_than_python_writes_for_an_integer(x: str) -> None:
+    """By mpmath: exp(±10000) has 4343 decimal places."""
+    exact = mpmath.nstr(mpmath.exp(mpmath.mpf(x)), 10)
+    assert tresym.value("exp(x)", 10, x=x).text == exact.replace("e+", "e")
+
+
 def _exponent(x: Fraction) -> int:
     n = 0
     while abs(x) >= Fraction(10) ** (n + 1):

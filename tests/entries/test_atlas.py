@@ -5,6 +5,7 @@ A seeded sample of entries is decided in every run, and all of them at night.
 
 import json
 import random
+from pathlib import Path
 
 import pytest
 from in_mpmath import is_true_at_points
@@ -133,6 +134,7 @@ def test_the_remainder_of_a_claim(claim: str, error: str, gauge: str) -> None:
         "f == 1 + a*(1 + O(x)) as x -> 0",  # a alone is not the factor
         "f == (1 + O(x))/a as x -> 0",
         "f == (1 + O(x))*(1 + O(y))",
+        "f == O(x)*a + x",
         "f <= x",
     ],
 )
@@ -177,6 +179,35 @@ def test_the_command_shows_an_entry(capsys: pytest.CaptureFixture[str]) -> None:
     rows = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert any(row["name"] == "erfc-lead" and row["answer"] for row in rows)
     assert main(["atlas", "nothing-of-the-kind"]) == 2
+
+
+def test_the_command_shows_an_entry_in_full(capsys: pytest.CaptureFixture[str]) -> None:
+    """The conditions, the witness of the false neighbour, and lines to run."""
+    assert main(["atlas", "jordan"]) == 0
+    shown = capsys.readouterr().out
+    neighbour = atlas("jordan").neighbour
+    assert neighbour is not None
+    assert "conditions 0 <= x <= pi/2" in shown
+    assert neighbour.witness
+    assert neighbour.witness in shown
+    assert f"tresym explain '{atlas('jordan').claim}'" in shown
+
+
+def test_the_command_explains_an_entry(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["atlas", "sin-small", "--explain", "--markdown"]) == 0
+    assert "**Verdict.** ENCLOSED" in capsys.readouterr().out
+    for wrong in (["--markdown"], ["--explain", "--json"]):
+        assert main(["atlas", "sin-small", *wrong]) == 2
+    assert main(["atlas", "--search", "erfc", "--explain"]) == 2
+    assert "the name of one entry" in capsys.readouterr().err
+
+
+def test_the_command_draws_the_error_of_an_entry(tmp_path: Path) -> None:
+    """Also where it decays like exp(-x**2); a bound without O has no chart."""
+    assert main(["atlas", "erfc-lead", "--chart", str(tmp_path / "erfc.svg")]) == 0
+    assert "Smallest constant on x &gt; 0" in (tmp_path / "erfc.svg").read_text(encoding="utf-8")
+    assert main(["atlas", "jordan", "--chart", str(tmp_path / "jordan.svg")]) == 2
+    assert not (tmp_path / "jordan.svg").exists()
 
 
 def test_the_pages_show_every_entry() -> None:

@@ -15,6 +15,7 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise
+from math import log10
 from typing import Any, TypeAlias
 
 from flint import arb, fmpq, fmpz
@@ -308,10 +309,9 @@ def rounded_number(x: fmpq, digits: int) -> str:
     if x == 0:
         return "0"
     size = abs(x)
-    exponent = len(str(int(size.p) // int(size.q))) - digits if size >= 1 else None
-    if exponent is None:
-        below = int(size.q) // int(size.p)
-        exponent = -len(str(below)) - digits
+    ratio = size if size >= 1 else 1 / size
+    places = int((int(ratio.p) // int(ratio.q)).bit_length() * log10(2))  # off by one at most
+    exponent = (places if size >= 1 else -places) - digits
     while True:
         ten = fmpq(10) ** abs(exponent)
         scaled = size / ten if exponent >= 0 else size * ten

@@ -21,6 +21,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
+from shlex import quote
 from typing import Any, NamedTuple
 
 from tresym.reals.language.claims import parts_of
@@ -66,6 +67,12 @@ class Decided(NamedTuple):
     region: str = ""
     witness: str = ""
     seconds: float = 0.0
+
+    @property
+    def reason(self) -> str:
+        """The verdict, what decided, and the witness."""
+        at = f"; it fails at {self.witness}" if self.witness not in self.why else ""
+        return f"{self.verdict.value}: {self.why}{at}" if self.why else f"{self.verdict.value}{at}"
 
     def as_json(self) -> dict[str, Any]:
         """Return the answer for JSON; empty fields are left out."""
@@ -148,16 +155,27 @@ class Entry:
     def __str__(self) -> str:
         lines = [f"{self.name}: {self.title}", f"  {self.claim}"]
         if self.answer:
-            lines.append(f"  {self.answer.verdict.value}: {self.answer.why}")
+            lines.append(f"  {self.answer.reason}")
+        _, given, path, _ = parts_of(self.claim)
+        if given:
+            lines.append(f"  conditions {given}")
+        if path:
+            lines.append(f"  limit      {path}")
         if self.bound and self.floor:
-            lines.append(f"  bound      {self.bound.claim}")
+            lines.append(f"  bound      {self.bound.claim} ({self.bound.verdict.value})")
         if self.quoted:
             low, high, region = self.quoted
-            lines.append(f"  constant   between {low} and {high} for {region or 'all values'}")
+            at = self.floor.witness if self.floor else ""
+            too_small = f"; {low} is too small at {at}" if at else ""
+            lines.append(
+                f"  constant   between {low} and {high} for {region or 'all values'}{too_small}"
+            )
         if self.neighbour:
-            at = f" at {self.neighbour.witness}" if self.neighbour.witness else ""
-            lines.append(f"  but not    {self.false} (false{at})")
-        return "\n".join([*lines, f"  source     {self.source}"])
+            lines.append(f"  but not    {self.false}\n             {self.neighbour.reason}")
+        lines.append(f"  source     {self.source}")
+        lines.append(f"  tresym check {quote(self.claim)}")
+        lines.append(f"  tresym explain {quote(self.claim)}")
+        return "\n".join(lines)
 
 
 _NUMBER = re.compile(r"<= \(([\d./]+)\)\*")
@@ -181,6 +199,20 @@ def remainder(claim: str) -> tuple[str, str] | None:
         >>> remainder("erfc(x) == exp(-x**2)/x*(1 + O(1/x**2)) as x -> oo")
         ('erfc(x) - (exp(-x**2)/x*(1))', '(exp(-x**2)/x)*(1/x**2)')
     """
+    found = sides(claim)
+    if found is None:
+        return None
+    left, main, gauge = found
+    return (f"{left} - ({main})", gauge) if main else (left, gauge)
+
+
+def sides(claim: str) -> tuple[str, str, str] | None:
+    """Return the left side, the terms before O, and what O compares with; None without one O.
+
+    Example:
+        >>> sides("sin(x) == x + O(x**3) as x -> 0")
+        ('sin(x)', 'x', 'x**3')
+    """
     left, sign, right = parts_of(claim)[0].partition(" == ")
     start = right.find("O(")
     if not sign or start < 0 or right.find("O(", start + 1) >= 0:
@@ -189,11 +221,12 @@ def remainder(claim: str) -> tuple[str, str] | None:
     gauge, before, after = right[start + 2 : end], right[:start].rstrip(), right[end + 1 :]
     main = before.removesuffix("+").rstrip()
     if not after.strip():
-        return (f"{left} - ({main})", gauge) if main else (left, gauge)
-    factor = before[: _opening(before)].rstrip()
+        return left, main, gauge
+    opening = _opening(before)
+    factor = before[:opening].rstrip() if opening is not None else ""
     if after.strip() != ")" or not factor.endswith("*") or before.endswith("(") or _is_sum(factor):
         return None
-    return f"{left} - ({main}))", f"({factor[:-1]})*({gauge})"
+    return left, f"{main})", f"({factor[:-1]})*({gauge})"
 
 
 def _closing(text: str, start: int) -> int:
@@ -206,14 +239,14 @@ def _closing(text: str, start: int) -> int:
     raise InputError("a bracket is not closed")
 
 
-def _opening(text: str) -> int:
-    """Return where the last bracket opens that the text does not close."""
+def _opening(text: str) -> int | None:
+    """Return where the last bracket opens that the text does not close; None if there is none."""
     depth = 0
     for place in range(len(text) - 1, -1, -1):
         depth += {"(": 1, ")": -1}.get(text[place], 0)
         if depth == 1:
             return place
-    raise InputError("no bracket is open")
+    return None
 
 
 def _is_sum(text: str) -> bool:

@@ -37,7 +37,9 @@ def index(known: tuple[Entry, ...], subjects: list[str]) -> str:
         f"{sharp} of them the smallest constant on a natural region is enclosed from both sides. "
         "Every number stands in a claim with a verdict. From the command line: "
         "`tresym atlas mills-ratio`, `tresym atlas --search 'erfc large'`; from Python: "
-        '`tresym.atlas("mills-ratio")`.',
+        '`tresym.atlas("mills-ratio")`. With `--explain` the command decides the claim anew and '
+        "explains the verdict step by step; with `--chart FILE` it draws the error of a claim with "
+        "O against its proved bound.",
         "```{toctree}\n:maxdepth: 1\n\n" + "\n".join(subjects) + "\n```",
         '<div class="ledger-filter"><input type="search" id="atlas-search" '
         'placeholder="erfc, x → ∞, Mills" aria-label="Search the atlas">'

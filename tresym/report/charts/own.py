@@ -30,6 +30,7 @@ from tresym.report.charts.common import (
 if TYPE_CHECKING:
     from tresym.accuracy.stability import Stability
     from tresym.accuracy.work_precision import Point
+    from tresym.entries.reading import Entry
 
 MARKERS = "osD^vP*X"
 COLOURS = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, BLACK)
@@ -177,6 +178,30 @@ def error_chart(
     return lambda kind: saved(
         lambda: errors(curves, along, shown, (5.6, 3.8)), title, caption, kind
     )
+
+
+FAR = ("1", "3/2", "2", "3", "5", "7", "10", "15", "20")
+"""Where an entry with a limit at infinity is drawn: its error may decay like exp(-x²)."""
+
+
+def entry_chart(entry: Entry) -> Callable[[str], bytes]:
+    """Return a function that draws the error of an entry of the atlas against its bound.
+
+    Raises:
+        InputError: the claim is not an equation with one O in one variable, or it cannot be drawn.
+    """
+    from tresym.entries.reading import sides
+    from tresym.reals.language.claims import parts_of
+    from tresym.reals.language.paths import read_path
+
+    found = sides(entry.claim)
+    _, given, path, _ = parts_of(entry.claim)
+    if found is None or not path:
+        what = "is not an equation with one O along a path"
+        raise InputError(f"atlas: {entry.name} has no chart, because its claim {what}")
+    exact, approx, gauge = found
+    far = read_path(path).point is None
+    return error_chart(exact, [approx or "0"], path, FAR if far else (), given, gauge, entry.region)
 
 
 def work_precision(points: Sequence[Point], title: str) -> Any:
