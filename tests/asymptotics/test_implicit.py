@@ -48,7 +48,7 @@ def test_guards_let_nothing_false_pass(claim: str) -> None:
     ("claim", "said"),
     [
         ("a(n) -> 0 given a(n+2) == a(n+1) - a(n), a(0) == 1 as n -> oo", "of first order"),
-        ("a(n) -> 0 given a(n+1) == a(n)/n, a(1) == 1 as n -> oo", "through a(n) alone"),
+        ("a(n) -> 0 given a(n+1) == sin(a(n))/n, a(1) == 1 as n -> oo", "through a(n) alone"),
         ("a(n) -> 0 given a(n+1) == sin(a(n)) as n -> oo", "one first value"),
         ("y > 0 given y == x + O(1), y == x + O(x) as x -> oo", ""),
         ("diff(y, x) == O(1) given y == x + O(1) as x -> oo", ""),

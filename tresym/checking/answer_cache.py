@@ -79,6 +79,7 @@ def _answer(text: str) -> Answer | None:
     """The answer of a row, if it can be read."""
     try:
         found = json.loads(text)
+        del found["sharp"]  # which follows from the constant
         found["verdict"] = Verdict(found["verdict"])
         found["cause"] = Cause(found["cause"])
         if found["constant"] is not None:

@@ -88,13 +88,17 @@ def read_expression(source: str, author: Author | None = None) -> Expr:
     return tree
 
 
+_FUNCTIONS = ("\\Gamma", "\\zeta", "\\psi")
+"""Letters of special functions, whose functional equations are no recurrences of unknowns."""
+
+
 def sequences_in(source: str) -> frozenset[str]:
     """The letters for which a formula states a recurrence, as T in ``T(n) = 2T(n/2) + n``."""
     tokens = tokenize(source)
     arguments: dict[str, list[list[str]]] = {}
     begun: dict[str, str] = {}
     for i, (name, after) in enumerate(pairwise(tokens)):
-        if not is_letter(name) or after != "(":
+        if not is_letter(name) or name in _FUNCTIONS or after != "(":
             continue
         end = Cursor(tokens).partner(i + 1)
         inside = tokens[i + 2 : end]
