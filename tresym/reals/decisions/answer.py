@@ -84,7 +84,7 @@ class Answer:
         values: both sides at the witness, in balls that exclude the claim.
         constant: for O, a ball around the supremum of the ratio on the region.
         region: where the claim is certified, when that is less or more precise than it says.
-        seconds: computing time.
+        seconds: processor time, so that a busy machine decides what an idle one decides.
         line: of the file it was read from.
         read_as: the claim with its conditions and path in the grammar of expressions.
         root: where the witness is known by intervals, what it is exactly.
