@@ -55,7 +55,9 @@ _TABLE = (
         r"\bconcatenat\w+|\bfree[\s~]+(?:monoid|group|semigroup)s?\b|\bwords?[\s~]+over[\s~]+"
         r"|\b(?:be|are|two|for|of)[\s~]+(?:\w+[\s~]+)?words\b(?=[^.;]{0,40}(?:\$|alphabet))"
         r"|\$[^$]*\$[\s~]+(?:is|are|be)[\s~]+(?:\w+[\s~]+)?words\b"
-        r"|\bformal[\s~]+language|\bwords?\b[^.;$]{0,60}\balphabet\b",
+        r"|\bformal[\s~]+language|\bwords?\b[^.;$]{0,60}\balphabet\b"
+        r"|\bgenerators[\s~]+and[\s~]+relations\b"
+        r"|\bgroups?\b[^.;]{0,40}\b(?:with|has|have|by)[\s~]+(?:(?:a|the)[\s~]+)?presentations?\b",
         _ANY,
         "the text speaks of words, whose products are no products of numbers",
     ),
