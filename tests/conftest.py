@@ -99,11 +99,22 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
     return None if any(core.split("/")[0] == collection_path.name for core in CORE) else True
 
 
+NIGHT = frozenset((TESTS / "data" / "night.txt").read_text(encoding="utf-8").splitlines())
+"""Parameters of tests that take seconds each, and wait for the night."""
+
+
+def _values(item: pytest.Item) -> str:
+    call = getattr(item, "callspec", None)
+    return " ".join(map(str, call.params.values())) if call is not None else ""
+
+
 # First, so that what is marked here can be chosen by ``-m quick``.
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     for item in items:
         inner = item.path.relative_to(TESTS).as_posix()
+        if _values(item) in NIGHT:
+            item.add_marker("night")
         marks = {mark.name for mark in item.iter_markers()}
         if "whole" in getattr(item, "fixturenames", ()) and "night" not in marks:
             item.add_marker("slow")  # the whole ledger is judged first

@@ -121,13 +121,13 @@ def test_integer_variables_are_integers() -> None:
 
 
 def test_functions_without_keywords_are_called_by_position() -> None:
-    assert_close(math.sin, "sin(x)", "0 < x <= 1", rtol=1e-15, examples=40)
-    assert_close(math.sin, "sin(t)", "0 < t <= 1", rtol=1e-15, examples=40)
-    assert_close(math.atan2, "atan(y/x)", "x > 0, 0 < y <= 5", rtol=1e-14, examples=40)
+    assert_close(math.sin, "sin(x)", "0 < x <= 1", rtol=1e-15, examples=15)
+    assert_close(math.sin, "sin(t)", "0 < t <= 1", rtol=1e-15, examples=15)
+    assert_close(math.atan2, "atan(y/x)", "x > 0, 0 < y <= 5", rtol=1e-14, examples=15)
     with pytest.raises(AssertionError, match="relative error"):
-        assert_close(math.cos, "sin(x)", "0 < x <= 1", examples=40)
+        assert_close(math.cos, "sin(x)", "0 < x <= 1", examples=15)
     with pytest.raises(AssertionError, match="relative error"):
-        assert_close(math.atan2, "atan(x/y)", "x > 1, 0 < y <= 1", examples=40)
+        assert_close(math.atan2, "atan(x/y)", "x > 1, 0 < y <= 1", examples=15)
 
 
 def test_a_claim_is_asserted_by_its_verdict() -> None:

@@ -103,6 +103,7 @@ def test_values_at_points_determine_constants(tmp_path: Path) -> None:
     assert read(tmp_path, text % "c_1 - c_2")[-1].status == "EQUATION"
 
 
+@pytest.mark.night
 def test_an_integral_on_both_sides_may_have_any_value(tmp_path: Path) -> None:
     text = r"\[ \frac{2}{2\pi}\int_a^b \sin(q + r^3)\,dr = %s\int_a^b\sin(q + r^3)\,dr \]"
     assert read(tmp_path, text % r"\frac1\pi")[-1].status == "PROVED"

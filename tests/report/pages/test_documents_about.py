@@ -156,6 +156,7 @@ def pieces(judged: Callable[..., Report]) -> Report:
     return judged(*PIECES)
 
 
+@pytest.mark.night
 def test_a_fragment_refers_only_to_equations_that_it_has(pieces: Report) -> None:
     rows = [pieces[label] for label in PIECES]
     text = fragments.written(rows, "article")
@@ -243,6 +244,7 @@ def test_slides_are_written_with_their_figures_and_no_file_of_the_user_is_replac
     assert pictures[0].read_bytes().startswith(b"%PDF")
 
 
+@pytest.mark.night
 def test_without_figures_none_are_written(tmp_path: Path) -> None:
     path = tmp_path / "talk.tex"
     assert main(["derive", "--style", "beamer", "--no-figures", "-o", str(path)]) == 0
