@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from math import factorial
 
 from tresym.reals.functions.table import ABBREVIATIONS, CONSTANTS, SPECIAL, TABLE
 from tresym.reals.language.expression import (
@@ -15,12 +16,14 @@ from tresym.reals.language.expression import (
     apply,
     as_expr,
     extreme,
+    integer,
     number,
     sqrt,
     symbol,
     trees,
     unknown,
 )
+from tresym.reals.language.like_terms import collected
 from tresym.reals.language.suggestions import about_function
 from tresym.reals.numbers.exact import InputError
 
@@ -51,6 +54,8 @@ MODULUS = {
     "EllipticPi": "elliptic_pi",
 }
 """Names that take the parameter m in Mathematica and the modulus k in Maple."""
+MOST_LEFT = 100
+"""The largest integer whose factorial is computed where variables cancel."""
 KNOWN = FUNCTIONS.union(
     *(_ALIASES, _RECIPROCALS, _FOLDED, ("sqrt", "atan2", "diff", "Derivative")),
     SPECIAL_NAMES,
@@ -111,6 +116,8 @@ def call(name: str, values: list[Expr]) -> Expr:
         return extreme(_FOLDED[name], values)
     if name == "ceil":
         name = "ceiling"
+    if name == FACTORIAL and given == 1 and (n := _left_over(values[0])) is not None:
+        return number(factorial(n))
     if name in (FACTORIAL, *ROUNDED) and len(values) == 1:
         return unknown(name, tuple(values))
     if given == 1 and (bessel := re.fullmatch(r"([JYIK])_?(\d+)", name)):
@@ -130,3 +137,19 @@ def call(name: str, values: list[Expr]) -> Expr:
     if name in _RECIPROCALS:
         return apply(_RECIPROCALS[name], 1 / values[0])
     return apply(name, values[0])
+
+
+def _left_over(e: Expr) -> int | None:
+    """Return the integer ≥ 0 that is left of a sum in which all variables cancel, else None.
+
+    So binomial(n + 2, n), which contains (n + 2 - n)!, is the polynomial (n + 1)(n + 2)/2. Only
+    sums of multiples of variables are added up: they have a value everywhere.
+    """
+    total = [e]
+    for part in total:  # which grows
+        if part.op == "+" or (part.op == "*" and part.args[0].op == "number"):
+            total += part.args
+        elif part.op not in ("symbol", "number"):
+            return None
+    n = integer(collected(e)) if e.op == "+" else None
+    return n if n is not None and 0 <= n <= MOST_LEFT else None

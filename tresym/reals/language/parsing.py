@@ -31,6 +31,7 @@ from tresym.reals.language.binders import (
 )
 from tresym.reals.language.brackets import split
 from tresym.reals.language.calls import (
+    FACTORIAL,
     INFINITE,
     INFINITY,
     INTEGERS,
@@ -262,6 +263,8 @@ class _Reader:
             return at(self._read(args[0]), {self._name(x): self._read(p) for x, p in pairs})
         unknown_here = UNKNOWN.fullmatch(name) or name in self.sequences
         if args and unknown_here and not self._stands_alone(name):
+            if name == FACTORIAL:
+                return call(name, [self._read(arg) for arg in args])
             return unknown(name, tuple(self._read(arg) for arg in args))
         if name in SPECIAL_NAMES and self._stands_alone(name):
             raise InputError(
