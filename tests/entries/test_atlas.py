@@ -5,6 +5,7 @@ A seeded sample of entries is decided in every run, and all of them at night.
 
 import json
 import random
+import re
 from pathlib import Path
 
 import pytest
@@ -12,7 +13,7 @@ from in_mpmath import is_true_at_points
 
 import tresym
 from tresym.commands import main
-from tresym.entries.lookup import atlas, found
+from tresym.entries.lookup import atlas, found, related
 from tresym.entries.reading import Decided, Entry, answers, entries, number_of, remainder, written
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -217,3 +218,14 @@ def test_the_pages_show_every_entry() -> None:
     for entry in ENTRIES:
         assert f"(atlas-{entry.name})=" in pages[f"{entry.subject}.md"]
         assert f"{entry.subject}.html#atlas-{entry.name}" in pages["index.md"]
+    linked = set(re.findall(r"\(#atlas-([\w-]+)\)", "".join(pages.values())))
+    assert linked <= {entry.name for entry in ENTRIES}
+    shown = pages["elementary.md"].partition("(tan-small)=")[0]
+    assert "<summary>What fails</summary>" in shown
+    assert "it fails at x = 261/692" in shown  # the floor of sin-small
+
+
+def test_related_entries_share_a_rare_function() -> None:
+    assert {"erfc-lead", "erfc-next"} & {other.name for other in related(atlas("erfc-second"))}
+    assert all("sin(" in other.claim for other in related(atlas("jordan")))
+    assert all(entry not in related(entry) for entry in ENTRIES[:20])

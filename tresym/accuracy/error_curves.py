@@ -64,7 +64,7 @@ def error_curves(
             points = [way.point + constant(x, way.name) for x in points]
     found = []
     for approx in approximations:
-        kept = [x for x in points if at or _has_value(exact, approx, path, x, given)]
+        kept = [x for x in points if at or has_value(exact, approx, path, x, given)]
         if not kept:
             kept = points[:1]  # for its message
         table = error_table(exact, approx, path, kept, given, DIGITS, order, region)
@@ -72,7 +72,8 @@ def error_curves(
     return found
 
 
-def _has_value(exact: str, approx: str, path: str, x: Exact, given: str) -> bool:
+def has_value(exact: str, approx: str, path: str, x: Exact, given: str = "") -> bool:
+    """Whether both expressions have certified values at a point of a path."""
     try:
         error_table(exact, approx, path, [x], given, DIGITS, decide=False)
     except InputError:

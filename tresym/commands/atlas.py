@@ -47,7 +47,7 @@ def add(commands: Commands) -> None:
 def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
     from tresym import __version__
-    from tresym.entries.lookup import atlas, bibtex, found
+    from tresym.entries.lookup import atlas, bibtex, found, related
     from tresym.entries.reading import SUBJECTS, entries
 
     if args.name and args.search:
@@ -79,6 +79,8 @@ def run(args: argparse.Namespace) -> int:
         shown = "\n\n".join(bibtex(entry, __version__) for entry in chosen) + "\n"
     elif words and len(chosen) <= 3:
         shown = "\n\n".join(map(str, chosen)) + "\n"
+        if len(chosen) == 1 and (near := related(chosen[0])):
+            shown += f"  related    {', '.join(entry.name for entry in near)}\n"
     elif words:
         shown = "".join(f"{entry.name}: {entry.title}\n  {entry.claim}\n" for entry in chosen)
     else:

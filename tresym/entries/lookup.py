@@ -8,7 +8,9 @@ claim with O. Example: ``erfc large`` finds the expansions of erfc for x → ∞
 from __future__ import annotations
 
 import re
+from collections import Counter
 from difflib import get_close_matches
+from functools import cache
 from typing import overload
 
 from tresym.entries.reading import SUBJECTS, Entry, entries
@@ -108,6 +110,37 @@ def text_of(entry: Entry) -> str:
     said = [words for sign, words in _SAID if sign in claim.replace("->", " -> ")]
     parts = (entry.name, entry.title, entry.claim, SUBJECTS[entry.subject], entry.source, *said)
     return " ".join(parts).lower().replace("'", "").replace("’", "")
+
+
+def related(entry: Entry, most: int = 6) -> tuple[Entry, ...]:
+    """Return entries about the same function: the rarest one that the claim names and others share.
+
+    Example:
+        >>> [other.name for other in related(atlas("jordan"), 2)]
+        ['sin-small', 'sin-one']
+    """
+    used, often = _functions()
+    shared = [name for name in used[entry.name] if often[name] > 1]
+    if not shared:
+        return ()
+    about = min(shared, key=lambda name: (often[name], name))
+    others = [other for other in entries() if other != entry and about in used[other.name]]
+
+    def distance(other: Entry) -> tuple[bool, int]:
+        return other.subject != entry.subject, len(used[other.name] ^ used[entry.name])
+
+    return tuple(sorted(others, key=distance)[:most])
+
+
+_CALLED = re.compile(r"\b([a-z]\w+)\(")
+_COMMON = frozenset({"abs", "sqrt", "min", "max"})
+
+
+@cache
+def _functions() -> tuple[dict[str, frozenset[str]], Counter[str]]:
+    """Return the functions that each claim names, and in how many claims each occurs."""
+    used = {e.name: frozenset(_CALLED.findall(e.claim)) - _COMMON for e in entries()}
+    return used, Counter(name for names in used.values() for name in names)
 
 
 def bibtex(entry: Entry, version: str) -> str:

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from html import escape
+from shlex import quote
 
 from tresym import __version__
-from tresym.entries.lookup import bibtex, text_of
+from tresym.entries.lookup import bibtex, related, text_of
 from tresym.entries.reading import SUBJECTS, Decided, Entry, entries
 from tresym.reals.language.readings import in_latex
 from tresym.report.typesetting.markdown import escaped
@@ -77,11 +78,25 @@ def section(entry: Entry) -> str:
     parts.append(f"**But not** {_where(entry.neighbour)}")
     parts.append(_display(entry.false))
     parts.append(f"**Source.** {escaped(entry.source)}")
-    parts.append(f"```sh\ntresym check '{entry.claim}'\n```" if "'" not in entry.claim else "")
+    said = quote(entry.claim)
+    parts.append(f"```sh\ntresym check {said}\ntresym explain {said}\n```")
+    parts.append(f"<details><summary>What fails</summary>{_failures(entry)}</details>")
     cited = escape(f"{in_latex(entry.claim)}\n\n{bibtex(entry, __version__)}")
     cited = cited.replace("{", "&#123;")  # two of them would be a substitution
     parts.append(f"<details><summary>LaTeX and BibTeX</summary><pre>{cited}</pre></details>")
+    near = ", ".join(f"[{escaped(other.title)}](#atlas-{other.name})" for other in related(entry))
+    parts.append(f"**Related.** {near}" if near else "")
     return "\n\n".join(part for part in parts if part)
+
+
+def _failures(entry: Entry) -> str:
+    """Say why the false statement fails, and where a smaller constant does."""
+    assert entry.neighbour is not None
+    told = [(entry.false, entry.neighbour.reason)]
+    if entry.floor:
+        told.append((entry.floor.claim, entry.floor.reason))
+    lines = [f"<p><code>{escape(claim)}</code><br>{escape(reason)}</p>" for claim, reason in told]
+    return "".join(lines).replace("{", "&#123;")
 
 
 def _display(claim: str) -> str:

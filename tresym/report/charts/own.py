@@ -190,6 +190,7 @@ def entry_chart(entry: Entry) -> Callable[[str], bytes]:
     Raises:
         InputError: the claim is not an equation with one O in one variable, or it cannot be drawn.
     """
+    from tresym.accuracy.error_curves import has_value
     from tresym.entries.reading import sides
     from tresym.reals.language.claims import parts_of
     from tresym.reals.language.paths import read_path
@@ -199,9 +200,11 @@ def entry_chart(entry: Entry) -> Callable[[str], bytes]:
     if found is None or not path:
         what = "is not an equation with one O along a path"
         raise InputError(f"atlas: {entry.name} has no chart, because its claim {what}")
-    exact, approx, gauge = found
-    far = read_path(path).point is None
-    return error_chart(exact, [approx or "0"], path, FAR if far else (), given, gauge, entry.region)
+    exact, approx, gauge = found[0], found[1] or "0", found[2]
+    at: tuple[str, ...] = ()
+    if read_path(path).point is None:
+        at = tuple(x for x in FAR if has_value(exact, approx, path, x, given))
+    return error_chart(exact, [approx], path, at, given, gauge, entry.region)
 
 
 def work_precision(points: Sequence[Point], title: str) -> Any:
