@@ -583,6 +583,7 @@ def _integrals(*claim: Any) -> Answer:
 
 
 def _lemmas(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
+    from tresym.asymptotics.cancelled_functions import decide_cancelled
     from tresym.asymptotics.integral_limits import decide_integral_limits
     from tresym.asymptotics.lemma_claims import decide_by_lemmas
 
@@ -591,6 +592,9 @@ def _lemmas(comparison: Comparison, statement: Statement, decided: Decide) -> An
     moving = path is not None and any(path.name in symbols(node) for node in outer)
     if any(map(is_infinite, outer)) and not moving:
         return _infinite_sums(comparison, statement, decided)
+    cancelled = decide_cancelled(comparison, statement, decided)
+    if cancelled is not None:
+        return cancelled
     found = decide_by_lemmas(comparison, statement, decided)
     nodes = {node.op for node in outermost(comparison.left, comparison.right)}
     if found.verdict is Verdict.UNDECIDED and nodes == {"integral"}:
@@ -600,8 +604,12 @@ def _lemmas(comparison: Comparison, statement: Statement, decided: Decide) -> An
 
 
 def _paths(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
+    from tresym.asymptotics.cancelled_functions import decide_cancelled
     from tresym.asymptotics.path_claims import decide_tending
 
+    cancelled = decide_cancelled(comparison, statement, decided)
+    if cancelled is not None:
+        return cancelled
     found = decide_tending(comparison, statement, decided)
     if comparison.relation != "O":
         return found
