@@ -112,7 +112,7 @@ def plain_notation(text: str) -> str:
     text = _POINT_NAMED.sub(r"(\1)", text)
     text = _BRACED_DIFFERENTIAL.sub(r"\\mathrm{d} \1 ", text)
     text = _BOLD_NUMBER.sub(r" \1 ", text)
-    text = _with_lower_end_first(text)
+    text = _with_lower_end_first(text, _UPPER_BEHIND)
     text = _CANCELLED.sub(" ", text)
     text = _WORDS.sub(lambda m: rf"\text{{{m[1].replace('~', ' ')}}}", text)
     text = _ITALIC.sub(lambda m: f"{m[1]}_{{{m[2]}}}" if m[2] else f" {m[1]} ", text)
@@ -124,7 +124,7 @@ def plain_notation(text: str) -> str:
     text = _with_derivatives(text)
     text = _PARTIAL.sub(r"\\partial ", text)
     text = _DIFFERENTIAL.sub(lambda m: r"\mathrm{d}", text)
-    text = _with_limits_in_order(text)
+    text = _with_lower_end_first(text, _UPPER_FIRST)
     text = _with_euler(text)
     return _SHOCK.sub(_beside_a_shock, text)
 
@@ -193,10 +193,10 @@ def _with_derivatives(text: str) -> str:
     return text
 
 
-def _with_limits_in_order(text: str) -> str:
-    r"""``\sum^{n}_{k=0}`` as ``\sum_{k=0}^{n}``."""
+def _with_lower_end_first(text: str, upper_first: re.Pattern[str]) -> str:
+    r"""Write ``\sum^{n}_{k=0}`` as ``\sum_{k=0}^{n}``, and ``[x^2]^1_0`` as ``[x^2]_0^1``."""
     at = 0
-    while (found := _UPPER_FIRST.search(text, at)) is not None:
+    while (found := upper_first.search(text, at)) is not None:
         at = found.end()
         try:
             upper, end = group(text, at)
@@ -206,24 +206,8 @@ def _with_limits_in_order(text: str) -> str:
             lower, end = group(text, end + below.end())
         except InputError:
             return text
-        text = f"{text[: found.start()]}\\{found[1]}_{{{lower}}}^{{{upper}}}{text[end:]}"
-    return text
-
-
-def _with_lower_end_first(text: str) -> str:
-    r"""``[x^2]^1_0`` as ``[x^2]_0^1``."""
-    at = 0
-    while (found := _UPPER_BEHIND.search(text, at)) is not None:
-        at = found.end()
-        try:
-            upper, end = group(text, at)
-            below = re.match(r"\s*_", text[end:])
-            if below is None:
-                continue
-            lower, end = group(text, end + below.end())
-        except InputError:
-            return text
-        text = f"{text[: found.start()]}_{{{lower}}}^{{{upper}}}{text[end:]}"
+        head = f"\\{found[1]}" if found.re.groups else ""
+        text = f"{text[: found.start()]}{head}_{{{lower}}}^{{{upper}}}{text[end:]}"
     return text
 
 
