@@ -306,3 +306,13 @@ def test_planted_errors_are_told(name: str, share: float) -> None:
 def test_a_ratio_of_another_quantity_is_no_second_definition(tmp_path: Path) -> None:
     text = r"The Mach number is \[ M = \frac{V}{c_s} \] in the shell \[ M = \frac{w}{c_s}. \]"
     assert statuses(tmp_path, text) == ["DEFINED", "DEFINED"]
+
+
+def test_an_equation_in_the_words_before_may_be_the_condition(tmp_path: Path) -> None:
+    """At a fixed point y = x**y, the derivative x**y*log(x) is y*log(x)."""
+    text = (
+        "% tresym: let x real\n"
+        + r"Take \[ f(t) = x^t . \] %s this becomes \[ f'(y) = y\log x . \]"
+    )
+    for words, status in (("At a point with $y = x^y$", "UNDECIDED"), ("Therefore", "REFUTED")):
+        assert read(tmp_path, text.replace("%s", words))[-1].status == status

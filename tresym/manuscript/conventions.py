@@ -29,6 +29,7 @@ class Convention(NamedTuple):
 _LOG = r"\\log(?![a-zA-Z])(?!\s*_)|\\lg(?![a-zA-Z])"
 _WAVE = r"\\(?:sin|cos|tan|cot|sec|csc|arc[a-z]+)(?![a-zA-Z])"
 _ANY = r"\S"
+_RINGS = "the text calculates in a group or ring, whose elements need be no numbers"
 _TABLE = (
     (
         r"log\w*[^.;]{0,40}?\b(?:to|with|of|in|has|have)[\s~]+(?:the[\s~]+)?base[\s~]+"
@@ -87,6 +88,19 @@ _TABLE = (
         "the text calculates modulo a number or in a finite field",
     ),
     (
+        r"\b(?:boolean|commutative|quotient|polynomial|factor|unital)[\s~]+rings?\b|\brings?[\s~]+"
+        r"(?:\$[^$]*\$[\s~]+)?(?:is|are|with[\s~]+(?:unity|identity|zero))\b|\bintegral[\s~]+domain"
+        r"|\b(?:group|ring)?[\s~]*homomorphisms?\b|\bdivisors?[\s~]+of[\s~]+zero\b"
+        r"|\bzero[\s~-]+divisors?\b",
+        _ANY,
+        _RINGS,
+    ),
+    (
+        r"\\equiv\b[^.;$]{0,80}(?:\\p?mod(?![a-zA-Z])|\bmod\b)",
+        r"\\equiv(?![a-zA-Z])",
+        "the text compares numbers by their remainders",
+    ),
+    (
         r"\b(?:summation|Einstein(?:'s)?(?:[\s~]+summation)?)[\s~]+convention\b"
         r"|\brepeated[\s~]+(?:indices|index|subscripts?)\b",
         r"_\s*\{?\s*[a-z]",
@@ -139,6 +153,12 @@ CONVENTIONS = tuple(
     Convention(re.compile(words, re.IGNORECASE), re.compile(notation), why)
     for words, notation, why in _TABLE
 )
+_FINITE = re.compile(
+    r"(?:\\math(?:bb|bf|rm)\s*\{?\s*[ZF]\s*\}?|\\(?:ZZ|Z|FF|F|GF|integers)(?![a-zA-Z]))"
+    r"\s*(?:_\s*\{?\s*(?:\d|[mnpq](?![a-zA-Z]))|/\s*\(?(?:\d|[mnp](?![a-zA-Z])))"
+)
+_REMAINDERS = re.compile(r"\\(?:p?mod|pod)(?![a-zA-Z])|\\(?:text|mathrm)\s*\{\s*\(?\s*mod\b")
+"""A modulus at the end of a chain, which holds for all of its links; ``\\bmod`` is an operation."""
 _VARIES = re.compile(
     r"\$([^$]{1,30})\$[\s~,]*(?:(?:itself|also|slowly|now)[\s~]+)?"
     r"(?:varies|vary|varying|changes|depends?|is[\s~]+not[\s~]+constant"
@@ -172,6 +192,7 @@ class StatedConventions:
 
     def hear(self, text: str) -> None:
         """Note the conventions that a text states."""
+        self.see(text)
         for one in CONVENTIONS:
             for found in one.words.finditer(text):
                 if not _DENIED.search(text, max(found.start() - 60, 0), found.start()):
@@ -190,9 +211,17 @@ class StatedConventions:
         start = text.rfind(".", 0, at) + 1
         stop = text.find(".", at)
         sentence = text[start : stop if stop >= 0 else len(text)]
-        (self.chapter if _LASTING.search(sentence) else self.section).append((notation, why))
+        lasting = why == _RINGS or _LASTING.search(sentence)
+        (self.chapter if lasting else self.section).append((notation, why))
+
+    def see(self, formula: str) -> None:
+        """Note that a formula names a set of remainders, as in ``x \\in \\mathbb{Z}_5``."""
+        if _FINITE.search(formula):
+            self.section.append((re.compile(_ANY), "the text calculates with remainders"))
 
     def against(self, display: str) -> str:
         """Return why a display is left unread because of a convention; empty if it is not."""
+        if _REMAINDERS.search(display):
+            return "the display compares numbers by their remainders"
         stated = reversed((*self.chapter, *self.section))
         return next((why for notation, why in stated if notation.search(display)), "")

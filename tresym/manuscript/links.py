@@ -175,6 +175,7 @@ class _Reading(LinkReader):
             yield replace(blank, status=UNREAD, why=display.problem)
             return
         self.conventions.hear(prose.first_sentence(after))
+        self.conventions.see(display.text)
         if not orders.kind and (why := self.conventions.against(display.text)):
             yield replace(blank, status=UNREAD, why=why)
             return

@@ -305,9 +305,19 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
         return f"{fails}; the other links of its display are identities"
     lead = _words(link.around[0])
     several = len(symbols(sides[0])) > 1  # with one variable it may be an equation
+    if _INLINE.search(prose.last_sentence(link.around[0])):
+        return ""  # "At a fixed point $y = x^y$ this becomes": it holds there
     if several and _TOLD.search(lead[-60:]) and not _INTRODUCED.search(lead):
         return f"{fails}; the words before it claim that it holds"
     return ""
+
+
+_INLINE = re.compile(
+    r"\b(?:at|for|when|where|if|with|since|as|using|because)\b[^.;$]{0,40}"
+    r"(?:\$|\\\()[^$]*?=[^$]*?(?:\$|\\\))",
+    re.IGNORECASE,
+)
+"""An equation within the words before a display, which may be a condition of it."""
 
 
 def _bare(row: Row) -> str:
