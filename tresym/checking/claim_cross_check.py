@@ -90,7 +90,7 @@ def attack(
         return against_solution(comparison, statement, answer)
     if statement.path is not None and statement.path.together:
         return None  # the claim on each face of a cube around the point was attacked itself
-    if comparison.relation == "O" and statement.path is None:
+    if comparison.relation in ("O", "Theta") and statement.path is None:
         return _attack_root(comparison, statement, replace(answer, region="0 < 1"))
     if statement.implicit:
         return _attack_root(comparison, statement, answer)

@@ -624,10 +624,10 @@ def _beside_conditions(*claim: Any) -> Answer:
     return decide_beside_conditions(*claim)
 
 
-def _monomials(comparison: Comparison, statement: Statement, _: Decide) -> Answer:
-    from tresym.asymptotics.monomials import decide_monomials
+def _without_path(*claim: Any) -> Answer:
+    from tresym.asymptotics.orders_without_path import decide_without_path
 
-    return decide_monomials(comparison, statement)
+    return decide_without_path(*claim)
 
 
 def _together(*claim: Any) -> Answer:
@@ -641,9 +641,9 @@ Procedure = Callable[[Comparison, Statement, Decide], Answer]
 ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
     (_ellipses, lambda p: p.has_dots, "its general term must be found before it is a sum"),
     (
-        _monomials,
-        lambda p: p.comparison.relation == "O" and p.statement.path is None,
-        "an order without a path is one for all positive parameters",
+        _without_path,
+        lambda p: p.comparison.relation in ("O", "Theta") and p.statement.path is None,
+        "an order without a path is one for all values of the parameters",
     ),
     (
         _together,

@@ -74,7 +74,7 @@ def confirmed(answer: Answer, claim: Comparison, statement: Statement) -> Answer
     sides = claim.left, claim.right
     if any(DOTS.args[0] in symbols(side) for side in sides):
         return answer  # by a coefficient, which is no point
-    if claim.relation == "O":
+    if claim.relation in ("O", "Theta"):
         return answer  # along a curve on which the ratio is a power
     if statement.has_initial_values:
         return answer  # the failure of the equation or of an initial value was confirmed itself

@@ -272,7 +272,13 @@ def _checked(statement: Statement) -> Statement:
     if path is None and statement.premises:
         raise InputError("a condition with O or ~ needs a path, such as --as 'x -> oo'")
     if path is None:
-        if near and not (near == ["O"] and _without_path(statement)):
+        free = bool(near) and near[0] != LIMIT and _without_path(statement)
+        if free and near[0] not in ("O", "Theta"):
+            raise InputError(
+                f"{near[0]} speaks of a limit and needs its path, such as --as 'x -> 0+'; for all "
+                "values of the parameters write O or Theta"
+            )
+        if near and not free:
             raise InputError("an order claim needs its path, such as --as 'x -> 0+'")
         return statement
     if not near and "==" in kinds:
