@@ -36,6 +36,7 @@ from tresym.report.pages.corrections import corrections
 from tresym.report.pages.functions import page as functions_page
 from tresym.report.pages.methods import methods
 from tresym.report.pages.numbers import numbers
+from tresym.report.pages.published_errors import page as published_errors_page
 from tresym.report.pages.site_data import record
 from tresym.report.pages.symbols import symbols
 from tresym.report.pages.trust import trust, trust_details
@@ -96,6 +97,7 @@ def pages(report: Report) -> Iterator[tuple[str, str]]:
     yield "methods.md", methods()
     yield "functions.md", functions_page()
     yield "approximations.md", approximations_page(_docs())
+    yield "published_errors.md", published_errors_page(_docs())
     yield "coq_proofs.md", coq_page.page()
     measured_tests = [*map(saved.load, ("guards", "hunts", "mutants"))]
     yield "trust.md", trust(report, *measured_tests)
