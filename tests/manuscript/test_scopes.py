@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from cases import cases
-from manuscripts import read
+from manuscripts import read, statuses
 
 CLAIM = r"Now \[ w^2 = x^4 \]"
 """It is true where w stands for x²."""
@@ -90,3 +90,10 @@ def test_a_condition_ends_with_its_scope(text: str, tmp_path: Path) -> None:
 )
 def test_a_lone_symbol_on_the_left_is_no_falsehood(text: str, tmp_path: Path) -> None:
     assert read(tmp_path, text)[-1].status in ("DEFINED", "UNREAD", "UNDECIDED")
+
+
+@pytest.mark.parametrize("words", ["For", "Für", r"F\"ur", "Pour", "Para"])
+def test_conditions_are_read_behind_words_of_other_languages(words: str, tmp_path: Path) -> None:
+    text = rf"{words} $x %s 0$: \[ x^3 + x \ge 0 \]"
+    assert statuses(tmp_path, text % r"\ge") == ["PROVED"]
+    assert statuses(tmp_path, text % r"\le") != ["PROVED"]

@@ -48,7 +48,8 @@ _LASTING = re.compile(
 )
 _PASSING = re.compile(
     r"\b(?:for|when|if|where|with|provided|given|whenever|that|all|any|every|on|as|and|or|,)\W*\Z"
-    r"|\b(?:for|when|if|where|with|provided|given|whenever)\b[^.$]*\Z",
+    r"|\b(?:for|when|if|where|with|provided|given|whenever)\b[^.$]*\Z"
+    r"|\b(?:f(?:ü|ue|\\\"u|\{\\\"u\}|\\\"\{u\})r|falls|wenn|pour|lorsque|para|cuando)\b[^.$]*\Z",
     re.IGNORECASE,
 )
 _DEFINING = re.compile(
