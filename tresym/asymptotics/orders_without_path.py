@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import product
+from itertools import islice, product
 
 from flint import arb, fmpq
 
@@ -75,18 +75,25 @@ def _bounded(claim: Comparison, statement: Statement, decided: Decide) -> Answer
     plain = replace(claim, left=_expanded(claim.left), right=_expanded(claim.right))
     answer = decide_monomials(plain, statement)
     names = sorted(symbols(claim.left) | symbols(claim.right) | statement.given.names)
+    if statement.equations or statement.integers:
+        # A curve of real powers need not satisfy equations, and leaves the integers.
+        if answer.verdict is Verdict.REFUTED:
+            answer = Answer(Verdict.UNDECIDED, _NOT_FOUND)
+        if statement.equations:
+            return answer
     if answer.verdict is not Verdict.UNDECIDED or len(names) > MOST_PARAMETERS:
         return answer
-    if claim.derivatives or statement.equations or statement.integers:
+    if claim.derivatives or claim.left.hidden or claim.right.hidden:
         return answer
-    if claim.left.hidden or claim.right.hidden:
-        return answer
+    whole = frozenset(statement.integers)
+    statement = _among_reals(statement)
     largest = arb(0)
     with ball_precision():
         scales = SCALES if len(names) <= 3 else FEWER
         for values in product(scales, repeat=len(names)):
             at = dict(zip(names, values, strict=True))
-            if not all(c.holds(at) for c in statement.given.conditions):
+            fractions = any(at[name].q != 1 for name in whole if name in at)
+            if fractions or not all(c.holds(at) for c in statement.given.conditions):
                 continue
             left, right = abs(evaluate(claim.left, at)), abs(evaluate(claim.right, at))
             if right.is_zero() and left > 0:
@@ -96,7 +103,7 @@ def _bounded(claim: Comparison, statement: Statement, decided: Decide) -> Answer
             ratio = left / right
             if ratio.is_finite() and ratio.mid() > largest:
                 largest = ratio.upper()
-    found = _grows(claim, statement, decided, names)
+    found = _grows(claim, statement, decided, names, whole)
     if found is not None:
         return found
     bounds = [parse_number(rounded(largest * margin, 1)) for margin in MARGINS if largest > 0]
@@ -112,6 +119,14 @@ def _bounded(claim: Comparison, statement: Statement, decided: Decide) -> Answer
     return Answer(Verdict.UNDECIDED, _NOT_FOUND)
 
 
+def _among_reals(statement: Statement) -> Statement:
+    """Return the statement for all real values from the first integer on, which is stronger."""
+    box = statement.given.box
+    least = {name: box[name].first_integer() for name in statement.integers if name in box}
+    first = ((symbol(n), ">=", number(low)) for n, low in least.items() if low is not None)
+    return replace(statement, integers=(), given=statement.given & Given(tuple(first)))
+
+
 def _expanded(e: Expr) -> Expr:
     """Return a polynomial as a sum of monomials, and any other expression as it is."""
     found = polynomial(e)
@@ -121,12 +136,26 @@ def _expanded(e: Expr) -> Expr:
 
 
 def _grows(
-    claim: Comparison, statement: Statement, decided: Decide, names: list[str]
+    claim: Comparison,
+    statement: Statement,
+    decided: Decide,
+    names: list[str],
+    whole: frozenset[str],
 ) -> Answer | None:
-    """Refute an O by a curve of powers on which the ratio is proved to tend to infinity."""
+    """Refute an O by a curve of powers on which the ratio is proved to tend to infinity.
+
+    Args:
+        whole: the names of integers; their exponents are not negative, so that they are integers
+            at all integers t.
+    """
     t = fresh("t", names)
     along = replace(statement, given=Given(), path=Path(t, None, (1,)))
-    for powers in list(_candidates(claim, statement.given, names))[:CURVES_TRIED]:
+    curves = (
+        powers
+        for powers in _candidates(claim, statement.given, names)
+        if all(k >= 0 for n, k in zip(names, powers, strict=True) if n in whole)
+    )
+    for powers in islice(curves, CURVES_TRIED):
         curve = {n: symbol(t) ** k if k else ONE for n, k in zip(names, powers, strict=True)}
         left, right = (substitute(e, curve) for e in (claim.left, claim.right))
         grows = decided(Comparison(apply("abs", left / right), LIMIT, INFINITY), along)
