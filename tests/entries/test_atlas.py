@@ -9,12 +9,25 @@ import re
 from pathlib import Path
 
 import pytest
-from in_mpmath import is_true_at_points
+from in_mpmath import HOLDS, is_true_at_points, value
 
 import tresym
 from tresym.commands import main
 from tresym.entries.lookup import atlas, found, related
-from tresym.entries.reading import Decided, Entry, answers, entries, number_of, remainder, written
+from tresym.entries.reading import (
+    Decided,
+    Entry,
+    answers,
+    entries,
+    number_of,
+    remainder,
+    sides,
+    written,
+)
+from tresym.reals.language.claims import parts_of
+from tresym.reals.language.expression import symbols
+from tresym.reals.language.parsing import parse, parse_given
+from tresym.reals.numbers.arithmetic import mp_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -81,6 +94,61 @@ def test_inequalities_hold_at_points() -> None:
 @pytest.mark.parametrize("claim", AT_POINTS)
 def test_every_inequality_holds_at_points(claim: str) -> None:
     assert is_true_at_points(claim, 100), claim
+
+
+SHARP = [
+    entry
+    for entry in ENTRIES
+    if entry.constant and not any(word in entry.claim for word in (*UNKNOWN, "root(", " n "))
+]
+
+
+def largest_ratio(entry: Entry) -> float:
+    """The largest |error|/|gauge| by mpmath alone, at points of the region on many scales."""
+    found, parts = remainder(entry.claim), sides(entry.claim)
+    assert found is not None
+    assert parts is not None
+    error, gauge, exact = map(parse, (*found, parts[0]))
+    _, given, _, _ = parts_of(entry.claim)
+    conditions = list(parse_given(", ".join(filter(None, (entry.region, given)))))
+    (name,) = symbols(error) | symbols(gauge)
+    sizes = [10 ** (k / 40) for k in range(-120, 101)] + [k / 100 for k in range(1, 400)]
+    sizes += [end * (1 - 10**-k) for end in (0.5, 1) for k in range(3, 14)]
+    best = 0.0
+    with mp_precision(50) as m:
+        for x in [*sizes, *(-size for size in sizes), m.pi, m.pi / 2, m.pi / 4]:
+            at = {name: m.mpf(x)}
+            try:
+                if not all(HOLDS[r](value(m, a, at), value(m, b, at), 0) for a, r, b in conditions):
+                    continue
+                missed = abs(value(m, error, at))
+                if missed < m.mpf(10) ** -35 * abs(value(m, exact, at)):
+                    continue  # too few digits are left
+                ratio = missed / abs(value(m, gauge, at))
+            except (ValueError, ZeroDivisionError, OverflowError, TypeError, m.NoConvergence):
+                continue
+            if not isinstance(ratio, m.mpc):
+                best = max(best, float(ratio))
+    return best
+
+
+def encloses(entry: Entry) -> None:
+    assert entry.constant is not None
+    low, high = map(_number, entry.constant)
+    assert 0.98 * low <= largest_ratio(entry) <= high * (1 + 1e-12), entry.claim
+
+
+def test_constants_enclose_the_supremum_of_mpmath() -> None:
+    """The end above is no smaller, and the end below no larger, than what points show."""
+    assert len(SHARP) > 60
+    for entry in random.Random(71).sample(SHARP, 30):
+        encloses(entry)
+
+
+@pytest.mark.night
+@pytest.mark.parametrize("entry", SHARP, ids=lambda entry: entry.name)
+def test_every_constant_encloses_the_supremum(entry: Entry) -> None:
+    encloses(entry)
 
 
 def test_what_is_printed_is_decided() -> None:
