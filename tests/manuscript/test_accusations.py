@@ -193,3 +193,9 @@ def test_numbers_as_they_are_printed(text: str, tmp_path: Path) -> None:
 def test_exponents_at_random_points_stop_no_paper(tmp_path: Path) -> None:
     (*_, row) = read(tmp_path, r"Then \[ y = x^a x^b = x^{a - b} \]")
     assert row.status in ("REFUTED", "SUSPECT", "UNDECIDED", "EQUATION")
+
+
+def test_a_link_that_holds_for_the_number_e_is_not_accused(tmp_path: Path) -> None:
+    for right, status in ((r"\ln(1+e)", "UNDECIDED"), (r"\ln(2+e)", "REFUTED")):
+        text = rf"We find \[ \ln\frac{{1+e}}{{e}} + 1 = \ln(1 + e) - \ln e + 1 = {right} \]"
+        assert read(tmp_path, text)[-1].status == status

@@ -130,6 +130,7 @@ def decided(
     rows = _varied(rows, answers, limit, processes)
     rows = _following(rows, limit, processes)
     rows = _where_positive(rows, limit, processes)
+    rows = _by_euler_number(rows, limit, processes)
     found = [(row, answers.get(n, [])) for n, row in enumerate(rows)]
     seconds = iter(found[len(links) :])
     return [
@@ -427,6 +428,21 @@ def _where_positive(rows: list[Row], limit: float, processes: int | None) -> lis
                 undecided = Verdict.UNDECIDED.value
                 rows[n] = replace(rows[n], status=undecided, why=why, holds_given=given)
                 rows[n] = replace(rows[n], obstacle=Obstacle.POSITIVE)
+    return rows
+
+
+def _by_euler_number(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
+    """Return the rows; a link that fails for a variable e, but holds for Euler's number, as
+    ln(1 + e) - ln(e) + 1 = ln(1 + e), is not called false."""
+    asked = [n for n, row in enumerate(rows) if re.search(r"\be\b(?!\()", row.refuted)]
+    tasks = [Task(re.sub(r"\be\b(?!\()", "E", rows[n].refuted), line=n) for n in asked]
+    if tasks:
+        for n, (_, answer) in zip(asked, check_all(tasks, limit, processes), strict=True):
+            if isinstance(answer, Answer) and answer:
+                why = "it fails for a variable e, but holds for Euler's number; write \\mathrm{e}"
+                undecided = Verdict.UNDECIDED.value
+                rows[n] = replace(rows[n], status=undecided, why=why, witness=None)
+                rows[n] = replace(rows[n], refuted="", failing="", obstacle=Obstacle.TWO_READINGS)
     return rows
 
 
