@@ -18,3 +18,12 @@ def test_what_is_said_beside_a_formula_is_used_or_refused(
 ) -> None:
     row = read(tmp_path, text)[-1]
     assert row.status == status, row.why
+
+
+@pytest.mark.parametrize("more", [r"- 5 \cdot 2 + 7", r"+ 2 \cdot 3"])
+def test_a_sum_that_began_in_the_display_before_is_not_judged_by_its_end(
+    more: str, tmp_path: Path
+) -> None:
+    text = rf"\[ N = 100 - 3 \cdot 20 + 4 \cdot 10 \] %s \[ {more} = 77 \]"
+    assert read(tmp_path, text % "")[-1].status == "UNREAD"
+    assert read(tmp_path, text % "We also have")[-1].status == "REFUTED"

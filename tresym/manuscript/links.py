@@ -215,7 +215,15 @@ class _Reading(LinkReader):
                 *said.terms[1:],
             )  # the first link, of a term to itself, is left out
             groups[0] = replace(said, terms=terms, ops=("=", *said.ops)), under
+        goes_on = bool(groups) and self.goes_on(groups[0][0], before)
         self.last_term = groups[-1][0].terms[-1] if groups else ()
+        if goes_on and len(groups[-1][0].terms) == 1:
+            self.last_term = ()  # a part of a sum
+        if goes_on and groups[0][0].ops:
+            said, under = groups.pop(0)
+            yield replace(blank, status=UNREAD, why="its sum began in the display before it")
+            count = 1
+            groups.insert(0, (replace(said, terms=said.terms[1:], ops=said.ops[1:]), under))
         last = max((said.row for said, under in groups if said.conditions or under), default=0)
         for self.position, (said, under) in enumerate(groups):
             alone = said.row < last and not (said.conditions or under)
@@ -234,6 +242,14 @@ class _Reading(LinkReader):
             for link in self.swallowed(blank, under, around):
                 count += 1
                 yield replace(link, number=count)
+
+    def goes_on(self, said: Said, before: str) -> bool:
+        """Whether a display continues the sum with which the one before it ended: it begins with
+        a plus sign, or with a minus sign and numbers, and no words stand between."""
+        first = said.terms[0]
+        if not self.last_term or re.search(r"\w", before) or first[:1] not in (("+",), ("-",)):
+            return False
+        return first[0] == "+" or not any(re.fullmatch(r"[a-zA-Z]", one) for one in first)
 
     def continued(self, before: str) -> tuple[str, ...]:
         """Return the term that a display continues which begins with an equality sign: the last
