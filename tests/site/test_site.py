@@ -210,6 +210,11 @@ def test_examples_are_what_the_command_prints() -> None:
     assert text.startswith("$ tresym flip --body str --digits 20\n")
     assert "0.11494412656569275372" in text
     assert re.search(r"\d (ms|s)\b", commands.transcript("tresym check 'x == x'")) is None
+    claim = "'a**2*(b + c)**3 + a**3 >= a**3 + a**2*(b + c)**3' --given 'a > 0, b > 0, c > 0'"
+    lines = commands.transcript(f"tresym check {claim}").splitlines()
+    assert max(map(len, lines)) <= 84
+    assert lines[1] == "    --given 'a > 0, b > 0, c > 0'"
+    assert any(line.startswith("  claim      a**2") for line in lines)
     with pytest.raises(ValueError, match="refused"):
         commands.transcript("tresym flip --body nobody")
     with pytest.raises(ValueError, match="refused"):

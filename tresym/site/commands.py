@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from tresym.report.typesetting.markdown import escaped
 from tresym.report.typesetting.plain_text import in_lines
 
-COLUMNS = 96
+COLUMNS = 84
 """The width of the boxes of the site that show an answer, in characters."""
 _TIME = re.compile(r"\b\d[\d.e-]*( ?)(ms|s|µs)\b")
 
@@ -74,5 +74,13 @@ def transcript(command: str) -> str:
         raise ValueError(f"{command}: is not a tresym command, or its input was refused")
     lines = _TIME.sub("…", printed.getvalue()).rstrip().splitlines()
     if words[:1] in (["check"], ["explain"]):
-        lines = [part for line in lines for part in in_lines(line, "", " " * 13, COLUMNS)]
+        lines = [part for line in lines for part in _wrapped(line)]
+    if len(command) > COLUMNS:  # its options go on lines of their own
+        command = command.replace(" --", " \\\n    --")
     return "\n".join([f"$ {command}", *lines, ""])
+
+
+def _wrapped(line: str) -> Iterator[str]:
+    text = line.lstrip()
+    later = " " * 13 if text != line or re.match("[A-Z]+:", line) else ""
+    return in_lines(text, line[: len(line) - len(text)], later, COLUMNS)
