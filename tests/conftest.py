@@ -100,7 +100,7 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 
 NIGHT = frozenset((TESTS / "data" / "night.txt").read_text(encoding="utf-8").splitlines())
-"""Parameters of tests that take seconds each, and wait for the night."""
+"""Parameters of tests that take more than half a second each, and wait for the night."""
 
 
 def _values(item: pytest.Item) -> str:
