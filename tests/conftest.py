@@ -103,6 +103,10 @@ NIGHT = frozenset((TESTS / "data" / "night.txt").read_text(encoding="utf-8").spl
 """Parameters of tests that take more than half a second each, and wait for the night."""
 
 
+TOOLS = ("dev/mutants/", "dev/corpus/", "report/charts/test_charts.py")
+"""Tests of what only developers run, and of charts of measurements, which wait for the night."""
+
+
 def _values(item: pytest.Item) -> str:
     call = getattr(item, "callspec", None)
     return " ".join(map(str, call.params.values())) if call is not None else ""
@@ -113,7 +117,7 @@ def _values(item: pytest.Item) -> str:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     for item in items:
         inner = item.path.relative_to(TESTS).as_posix()
-        if _values(item) in NIGHT:
+        if _values(item) in NIGHT or inner.startswith(TOOLS):
             item.add_marker("night")
         marks = {mark.name for mark in item.iter_markers()}
         if "whole" in getattr(item, "fixturenames", ()) and "night" not in marks:
