@@ -187,3 +187,36 @@ def test_a_line_of_the_header_that_is_not_read_is_told(line: str, why: str) -> N
     (problem,) = read_paper(f"a real\n{line}\nsquare: a**2 >= 0").problems
     assert problem.line == 2
     assert problem.message.startswith(why)
+
+
+def test_slides_and_a_site_contain_every_claim_and_prose(folder: Path) -> None:
+    """Nothing of the file is missing, and every link of the site leads to a page of it."""
+    (folder / "own.tresym").write_text(TEXT.replace("open: cos(x)**x > sin(x)**y + n\n", ""))
+    assert main(["derive", "own.tresym", "--style", "site", "-o", "out", "--no-figures"]) == 0
+    pages = {path: path.read_text() for path in (folder / "out").rglob("*.html")}
+    home = pages[folder / "out" / "index.html"]
+    assert {path.stem for path in pages} == {"index", "sine", "wrong", "steps"}
+    for path, text in pages.items():
+        for link in re.findall(r'(?:href|src)="([^"#]+)', text):
+            assert (path.parent / link).resolve() in pages, link
+    assert re.sub("<[^>]+>", "", pages[folder / "out" / "claims" / "wrong.html"]).count("false")
+    assert main(["derive", "own.tresym", "--style", "beamer", "-o", "own.tex", "--no-figures"]) == 0
+    slides = (folder / "own.tex").read_text()
+    assert slides.count(r"\begin{frame}") == slides.count(r"\end{frame}") > 5
+    for label in ("sine", "wrong", "steps"):
+        assert f">{label}<" in home
+        assert rf"\texttt{{{label}}}" in slides
+    assert "50 %" in home
+    assert r"50 \%" in slides
+    assert main(["derive", "own.tresym", "--style", "site"]) == 2
+    assert main(["derive", "own.tresym", "sine", "--style", "beamer"]) == 2
+    assert main(["derive", "--style", "html"]) == 2
+
+
+def test_formulas_of_html_are_typeset_and_words_escaped() -> None:
+    from tresym.report.typesetting import html
+
+    assert html.words("`<b>` & <script>") == "<code>&lt;b&gt;</code> &amp; &lt;script&gt;"
+    pytest.importorskip("math_core")
+    assert "<msup>" in html.words("the *square* $x^2$")
+    assert html.typesets()

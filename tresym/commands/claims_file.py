@@ -207,10 +207,13 @@ def derive(
     """Write the document of a file of claims, or of some claims, and return the exit status."""
     from tresym.report.pages import own_paper
 
-    if style not in own_paper.STYLES:
+    if labels and style not in own_paper.STYLES:
         raise InputError(
-            f"derive: for a file of claims the styles are {', '.join(own_paper.STYLES)}"
+            f"derive: single claims have the styles {', '.join(own_paper.STYLES)}; leave out the "
+            f"labels for --style {style}"
         )
+    if style == "site" and target is None:
+        raise InputError("derive: --style site writes a folder: name it with -o FOLDER")
     paper = opened(path)
     report = verified(paper, labels, None)
     if labels:
@@ -222,8 +225,32 @@ def derive(
         deliver(own_paper.fragments(report, rows, style), target)
         return status(report)
     pictures = _pictures(paper, style, target, figures, force)
-    deliver(own_paper.document(report, style, pictures), target)
+    if style in ("html", "site"):
+        _say_if_not_typeset(paper)
+    if style == "site" and target is not None:
+        from tresym.report.pages.own_site import site
+
+        pages = {os.path.join(target, name): text for name, text in site(report, pictures).items()}
+        check_replaceable(pages, force)
+        for page in pages:
+            make_folder(os.path.dirname(page))
+        for page, text in pages.items():
+            write_text(page, text)
+    elif style == "beamer":
+        from tresym.report.pages.own_slides import slides
+
+        deliver(slides(report, pictures), target)
+    else:
+        deliver(own_paper.document(report, style, pictures), target)
     return status(report)
+
+
+def _say_if_not_typeset(paper: OwnPaper) -> None:
+    from tresym.report.typesetting.html import typesets
+
+    if not typesets():
+        need = "typesetting needs math-core (pip install 'tresym[html]')"
+        print(f"{paper.name}: formulas are shown as LaTeX: {need}", file=sys.stderr)
 
 
 def _pictures(
@@ -251,7 +278,9 @@ def _pictures(
             print(f"{paper.name}: left out the charts of {names}: {need}", file=sys.stderr)
         return Pictures(tables)
     folder = f"{os.path.splitext(target)[0]}-figures"
-    kind = "pdf" if style == "article" else "svg"
+    if style == "site":
+        folder = os.path.join(target, "figures")
+    kind = "pdf" if style in ("article", "beamer") else "svg"
     charts: dict[int, str] = {}
     pictures: dict[str, bytes] = {}
     for drawn in drawn_ones:

@@ -20,7 +20,7 @@ from tresym.reals.numbers.exact import InputError
 if TYPE_CHECKING:
     from tresym.ledger.verification import Report
 
-STYLES = ("article", "beamer", "markdown", "jupyter")
+STYLES = ("article", "beamer", "markdown", "jupyter", "html", "site")
 
 
 def add(commands: Commands) -> None:
@@ -48,7 +48,8 @@ def add(commands: Commands) -> None:
         "--style",
         choices=STYLES,
         default="article",
-        help="LaTeX (the default), slides, Markdown, or a notebook that computes the numbers",
+        help="LaTeX (the default), slides, Markdown, a notebook that computes the numbers; for a "
+        "file of claims also an HTML page, or a site with a page for each claim in the folder PATH",
     )
     parser.add_argument(
         "-o", dest="path", metavar="PATH", help="write to a file instead of standard output"
@@ -84,6 +85,11 @@ def run(args: argparse.Namespace) -> int:
             refuted=args.refuted,
             figures=args.figures,
             force=args.force,
+        )
+    if args.style in ("html", "site"):
+        raise InputError(
+            f"derive: --style {args.style} is for a file of claims: tresym derive FILE.tresym "
+            f"--style {args.style}"
         )
     _check(args)
     return _pieces(args) if args.labels else _document(args)

@@ -32,7 +32,10 @@ def add(commands: Commands) -> None:
         ("--limit SECONDS=20", "processor time for the decision (20)"),
     )
     parser.add_argument(
-        "--style", choices=("text", "markdown"), default="text", help="default: text"
+        "--style",
+        choices=("text", "markdown", "html"),
+        default="text",
+        help="default: text; html is a page with a picture of the ratio",
     )
     parser.add_argument(
         "-o", dest="path", metavar="PATH", help="write to a file instead of standard output"
@@ -47,5 +50,10 @@ def run(args: argparse.Namespace) -> int:
     claim, given = args.claim.strip(), args.given or ""
     need_variables(claim, given, args.tends)
     found = explain(claim, given, args.tends, parse_seconds(args.limit))
-    deliver(found.markdown() if args.style == "markdown" else found.text(), args.path)
+    if args.style == "html":
+        from tresym.report.typesetting.html import page
+
+        deliver(page(claim, found.html()), args.path)
+    else:
+        deliver(found.markdown() if args.style == "markdown" else found.text(), args.path)
     return _STATUS.get(found.answer.verdict, 0)

@@ -37,8 +37,18 @@ def as_mathml(display: Display) -> str:
     return _converted(display.kind, display.text)
 
 
+def latex_as_mathml(latex: str, block: bool = True) -> str:
+    """Return a formula in LaTeX as MathML; empty if it cannot be converted.
+
+    Args:
+        latex: the formula.
+        block: whether it stands on a line of its own.
+    """
+    return _converted("", latex, block)
+
+
 @cache
-def _converted(kind: str, text: str) -> str:
+def _converted(kind: str, text: str, block: bool = True) -> str:
     text = " ".join(_IGNORED.sub(" ", text).split())
     text = re.sub(r"\\(begin|end)\s*\{split\}", r"\\\1{aligned}", text)
     text = _IN_TEXT.sub(lambda words: words[0].replace("$", " "), text)
@@ -49,7 +59,7 @@ def _converted(kind: str, text: str) -> str:
     partly = ""
     for tex in _wrapped(kind.rstrip("*"), text):
         try:
-            found = str(converter.convert_with_local_state(tex, displaystyle=True))
+            found = str(converter.convert_with_local_state(tex, displaystyle=block))
         except Exception:  # of a compiled library: the source is shown instead
             continue
         if "<merror" not in found:

@@ -46,5 +46,20 @@ def test_the_command_tells_a_refutation(capsys: pytest.CaptureFixture[str]) -> N
     assert main(["explain", "(1 + 1/n)**n -> 3 as n -> oo"]) == 1
     text = capsys.readouterr().out
     assert "True instead. (1/n + 1)**n -> E" in text
-    assert "256  2.712991624253" in text
+    assert "256  2.71299" in text
     assert main(["explain", "x +"]) == 2
+
+
+def test_the_page_has_the_table_and_a_picture_within_the_region() -> None:
+    pytest.importorskip("matplotlib")
+    text = explain("exp(x) == 1 + O(x) as x -> 0+ on x <= 1").html()
+    assert "<table>" in text
+    assert "<svg" in text
+    assert "1.71828" in text
+
+
+def test_points_without_a_value_are_left_out() -> None:
+    """At eps = 1 the logarithm has no value."""
+    _, *rows = explain("log(1/(1 - x)) == x + O(x**2) as x -> 0+").compared
+    assert [row[0] for row in rows][:2] == ["1/4", "1/16"]
+    assert "Counterexample" not in explain("x -> 3 as x -> 0+").text()

@@ -110,6 +110,35 @@ def errors(curves: Sequence[Curve], along: str, title: str, size: tuple[float, f
     return figure
 
 
+def ratio(
+    points: Sequence[tuple[float, float]], along: str, title: str, bound: float | None
+) -> str:
+    """Return a curve on the way to the end of a path as SVG, with a line for a bound of it.
+
+    Args:
+        points: the distance from the end and the value.
+        along: the label of the horizontal axis, which is logarithmic.
+        title: what is drawn.
+        bound: the proved bound of the absolute value, if there is one.
+    """
+    from tresym.report.figures import style
+
+    def draw() -> Any:
+        figure, ((axes,),) = style.canvas(5.2, 2.8)
+        axes.plot(*zip(*sorted(points), strict=True), color=BLUE, linewidth=1.1)
+        for sign in (1, -1):
+            if bound is not None and any(sign * y > 0 for _, y in points):
+                axes.axhline(sign * bound, color=RED, linewidth=0.9, linestyle=DASHED)
+        axes.set_xscale("log")
+        axes.set_xlabel(typeset(along))
+        axes.set_title(typeset(title), fontsize=9)
+        axes.grid(color="0.92", linewidth=0.6)
+        axes.set_axisbelow(True)
+        return figure
+
+    return saved(draw, title, "", "svg").decode()
+
+
 def typeset(text: str) -> str:
     """Return a text with the formulas in it as mathematics between dollars, for a picture.
 

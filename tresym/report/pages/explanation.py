@@ -4,37 +4,51 @@
 
 The explanation names the method or the lemma with its source, gives each obligation of the lemma
 with its own verdict and reason, and shows for a limit or an order how the two sides compare on the
-way to the end: a short table in which the failure of a false claim can be seen. Every number comes
-from balls.
+way to the end: a short table in which the failure of a false claim can be seen, and in HTML also a
+picture. Every number comes from balls.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import re
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
+from fractions import Fraction
+from importlib.util import find_spec
+from itertools import groupby
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from tresym.asymptotics.lemma import asserted_terms
 from tresym.checking.dispatch import decide_claim
+from tresym.papers.error_rows import rounded
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.closed_values import certified_evaluation
-from tresym.reals.decisions.path_regions import along
-from tresym.reals.decisions.statement import Statement
+from tresym.reals.decisions.path_regions import along, conditions_of, reach_of
+from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.expansions.scale import T
 from tresym.reals.language.comparisons import LIMIT, Comparison
-from tresym.reals.language.expression import number, substitute, symbols
+from tresym.reals.language.expression import ZERO, Expr, number, substitute, symbols
+from tresym.reals.language.parsing import parse
+from tresym.reals.language.paths import Path
 from tresym.reals.language.readings import in_latex
-from tresym.reals.normal.ring import UndefinedError
+from tresym.reals.language.typesetting import expression_in_latex
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, decimal_ball
 from tresym.reals.verdict import Cause
+from tresym.report.typesetting import html
 from tresym.report.typesetting.formulas_in_words import parts, region_latex
 
 STEPS = tuple(fmpq(1, 4**n) for n in range(6))
 """Where the two sides are compared: values of the small parameter."""
-DIGITS = 5
+PLACES = tuple(fmpq(4, 5) ** n for n in range(32))
+"""Where the picture has points: parts of the region."""
+FEWEST = 6
+"""Points of a picture at least."""
+DIGITS = 6
+RATIO = "left/right"
 MEANT = {
     Cause.EXACT: "an exact procedure proves it, without floating-point numbers",
     Cause.BALLS: "interval arithmetic with proved error bounds proves it",
@@ -78,6 +92,17 @@ class Explanation:
         """Return the explanation in Markdown, with its formulas in LaTeX between dollars."""
         return "\n".join(self._lines(_formula, _typeset, "**{}**", _in_markdown))
 
+    def html(self, with_claim: bool = True) -> str:
+        """Return the explanation in HTML, with its formulas as MathML and a picture.
+
+        Args:
+            with_claim: whether it begins with the claim.
+        """
+        text = self._lines(_formula, _typeset, "**{}**", _in_html)
+        if not with_claim:
+            next(text)
+        return "\n".join([*_paragraphs(text), _picture(self.answer)])
+
     def _lines(
         self,
         formula: Callable[[str], str],
@@ -87,6 +112,9 @@ class Explanation:
     ) -> Iterator[str]:
         answer = self.answer
         meant = MEANT.get(answer.cause) if answer.cause else None
+        on_the_way = bool(self.compared) and answer.cause is Cause.WITNESS
+        if on_the_way:  # a point of the path refutes nothing about its end
+            meant = "what happens on the way to the end contradicts it"
         yield f"{strong.format('Claim.')} {formula(answer.read_as or answer.statement)}\n"
         because = f": {meant}" if meant else ""
         yield f"{strong.format('Verdict.')} {answer.verdict.value}{because}.\n"
@@ -108,7 +136,7 @@ class Explanation:
             yield f"{strong.format('Constant.')} {answer.constant_text()}{where}.\n"
         elif answer.region:
             yield f"{strong.format('Where.')} {words(answer.region)}.\n"
-        if answer.witness:
+        if answer.witness and not on_the_way:
             point = ", ".join(f"{x} = {value}" for x, value in answer.witness.items())
             yield f"{strong.format('Counterexample.')} {words(point)}.\n"
         if self.compared:
@@ -142,8 +170,16 @@ def explain(
     """
     from tresym.repair import check
 
-    answer = check(claim, given, path, limit=limit)
-    return Explanation(answer, tuple(_steps(answer)), tuple(_compared(claim, given, path)))
+    return explained(check(claim, given, path, limit=limit))
+
+
+def explained(answer: Answer) -> Explanation:
+    """Return the explanation of an answer: the reasons of its steps, and the table of both sides.
+
+    Args:
+        answer: a verdict of :func:`tresym.check` or of a file of claims.
+    """
+    return Explanation(answer, tuple(_steps(answer)), tuple(_compared(answer)))
 
 
 def _reason(answer: Answer) -> str:
@@ -166,57 +202,120 @@ def _steps(answer: Answer) -> Iterator[Step]:
         yield Step(part.claim + under, part.verdict, why)
 
 
-def _compared(claim: str, given: str, path: str | None) -> Iterator[tuple[str, ...]]:
-    """Yield the heads of the columns and the rows in which both sides are compared."""
+@dataclass(frozen=True)
+class _Sides:
+    """Both sides of an order or a limit in one variable, and the path on which they are compared.
+
+    Attributes:
+        end: the path.
+        heads: what is computed, as text: the expression of a limit, or both sides and their ratio.
+        parts: the expressions.
+    """
+
+    end: Path
+    heads: tuple[str, ...]
+    parts: tuple[Expr, ...]
+
+    def rows(self, steps: Iterable[fmpq]) -> list[tuple[Expr, list[arb]]]:
+        """Return points of the path with the values there, where they can be enclosed."""
+        rows = []
+        with ball_precision():
+            for t in steps:
+                point = along(self.end, self.end.sides[0])
+                x = substitute(point, {T: number(t)})
+                at = {self.end.name: x}
+                try:
+                    found = [certified_evaluation().value(substitute(e, at)) for e in self.parts]
+                    found += [found[0] / found[1]] if len(found) > 1 else []
+                except (UndefinedError, InputError, ZeroDivisionError):
+                    continue
+                if all(value.is_finite() and value.rad() < 1e-3 for value in found):
+                    rows.append((x, found))
+        return rows
+
+
+def _sides(answer: Answer) -> _Sides | None:
+    """Return the sides of a claim if they can be compared on the way to the end."""
     try:
-        statement = read(claim, given, path)
+        statement = read(answer.read_as)
     except InputError:
-        return
-    comparisons = statement.comparisons
-    end = statement.path
+        return None
+    comparisons, end = statement.comparisons, statement.path
     if end is None or end.together or len(comparisons) != 1 or statement.equations:
-        return
+        return None
     (compared,) = comparisons
     if (symbols(compared.left) | symbols(compared.right)) - {end.name} or compared.derivatives:
-        return
-    limit = compared.relation == LIMIT
+        return None
+    if compared.relation == LIMIT:
+        return _Sides(end, (str(compared.left),), (compared.left,))
     if compared.relation == "~" and len(terms := asserted_terms(compared.right, end.name)) > 1:
         compared = Comparison(compared.left - compared.right, "o", terms[-1])
-    rows = _rows(compared, statement, limit)
+    heads = (str(compared.left), str(compared.right), RATIO)
+    return _Sides(end, heads, (compared.left, compared.right))
+
+
+def _compared(answer: Answer) -> Iterator[tuple[str, ...]]:
+    """Yield the heads of the columns and the rows in which both sides are compared."""
+    sides = _sides(answer)
+    if sides is None:
+        return
+    rows = [
+        (str(x), *(rounded(decimal_ball(v, 2 * DIGITS), DIGITS) for v in values))
+        for x, values in sides.rows(STEPS)
+    ]
     if len(rows) > 1:
-        sides = str(compared.left), str(compared.right)
-        shown = sides[:1] if limit else (*sides, "left/right")
-        yield (end.name, *shown)
+        yield (sides.end.name, *sides.heads)
         yield from rows
 
 
-def _rows(compared: Comparison, statement: Statement, limit: bool) -> list[tuple[str, ...]]:
-    path = statement.path
-    assert path is not None
-    rows = []
-    with ball_precision():
-        for t in STEPS:
-            point = along(path, path.sides[0])
-            at = {path.name: substitute(point, {T: number(t)})}
-            sides = (compared.left,) if limit else (compared.left, compared.right)
-            try:
-                values = [certified_evaluation().value(substitute(e, at)) for e in sides]
-                values += [] if limit else [values[0] / values[1]]
-            except (UndefinedError, InputError, ZeroDivisionError):
-                continue
-            if all(value.is_finite() and value.rad() < 1e-3 for value in values):
-                shown = (decimal_ball(value, DIGITS).mid for value in values)
-                rows.append((str(at[path.name]), *shown))
-    return rows
+def _picture(answer: Answer) -> str:
+    """Return the picture of the ratio, or of what has a limit, along the path, as SVG.
+
+    Without matplotlib, and where there is nothing to draw, it is a sentence or empty.
+    """
+    sides = _sides(answer)
+    if sides is None:
+        return ""
+    try:
+        reach = reach_of(conditions_of(answer.region or ""), sides.end)
+    except InputError:
+        reach = fmpq(1)
+    points = [(x, float(y[-1])) for x, y in sides.rows(reach * part for part in PLACES)]
+    if len(points) < FEWEST:
+        return ""
+    if find_spec("matplotlib") is None:
+        return "The picture of it needs matplotlib: pip install 'tresym[docs]'."
+    from tresym.report.charts.own import ratio
+
+    name, point = sides.end.name, sides.end.point
+    away = [
+        float(certified_evaluation().value(x if point is None else x - point).mid())
+        for x, _ in points
+    ]
+    along = name if point is None or point == ZERO else f"|{name} − {point}|"
+    curve = [(abs(x), y) for x, (_, y) in zip(away, points, strict=True)]
+    bound = float(Fraction(answer.constant.mid)) if answer.constant is not None else None
+    title = sides.heads[0] if len(sides.heads) == 1 else "left side / right side"
+    return ratio(curve, along, title, bound)
 
 
 def _formula(text: str) -> str:
     shown = "" if " is " in text else in_latex(text) or region_latex(text)
+    if not shown and text != RATIO:
+        with suppress(InputError):
+            shown = expression_in_latex(parse(text))
     return f"${shown}$" if shown else _typeset(text)
 
 
 def _typeset(words: str) -> str:
-    return "".join(f"${part}$" if is_formula else part for part, is_formula in parts(words))
+    return "".join(
+        f"${part}$" if is_formula else _quoted(part) for part, is_formula in parts(words)
+    )
+
+
+def _quoted(words: str) -> str:
+    """Words as Markdown: what has signs of it is code."""
+    return re.sub(r"[^\s`]*[*_^<>|][^\s`]*", lambda word: f"`{word[0]}`", words)
 
 
 def _in_markdown(table: Table) -> Iterator[str]:
@@ -224,6 +323,25 @@ def _in_markdown(table: Table) -> Iterator[str]:
     yield f"| {' | '.join(head)} |"
     yield f"|{'---|' * len(head)}"
     yield from (f"| {' | '.join(row)} |" for row in rows)
+
+
+def _in_html(table: Table) -> Iterator[str]:
+    yield '<div class="wide"><table>'
+    for n, row in enumerate(table):
+        tag = "td" if n else "th"
+        yield f"<tr>{''.join(f'<{tag}>{html.words(cell)}</{tag}>' for cell in row)}</tr>"
+    yield "</table></div>"
+
+
+def _paragraphs(lines: Iterable[str]) -> Iterator[str]:
+    """Yield an explanation in HTML: a numbered list, tables as they are, paragraphs."""
+    for is_item, group in groupby(lines, key=lambda line: bool(re.match(r"\d+\. ", line))):
+        if is_item:
+            items = (html.words(line.partition(" ")[2]) for line in group)
+            yield "<ol>\n" + "\n".join(f"<li>{item}</li>" for item in items) + "\n</ol>"
+        else:
+            for line in filter(str.strip, group):
+                yield line if line[0] == "<" else f"<p>{html.words(line.strip())}</p>"
 
 
 def _aligned(table: Table) -> Iterator[str]:

@@ -8,7 +8,7 @@ from tresym.accuracy.table import Table
 from tresym.papers.reading import OwnPaper, read_file
 from tresym.papers.verification import LIMIT, PaperReport, verify_paper
 from tresym.reals.numbers.exact import InputError
-from tresym.report.pages import own_paper, own_tables
+from tresym.report.pages import own_paper, own_slides, own_tables
 from tresym.report.pages.python_api import Picture
 
 
@@ -49,17 +49,21 @@ class OpenedPaper:
 
         Args:
             labels: the claims; the whole document without labels.
-            style: ``article`` (LaTeX), ``markdown`` or ``jupyter``.
+            style: ``article`` (LaTeX), ``markdown``, ``html`` or ``jupyter``; without labels also
+                ``beamer``, for slides.
 
         Raises:
             InputError: a label that no claim has, or a claim that is refuted unexpectedly.
         """
-        if style not in own_paper.STYLES:
-            raise InputError(f"the styles are {', '.join(own_paper.STYLES)}")
+        if style not in own_paper.STYLES and (labels or style != "beamer"):
+            raise InputError(f"the styles are {', '.join(own_paper.STYLES)}, and beamer for all")
         report = self.verify(*labels)
         if not labels:
             tables, _ = ({}, ()) if style == "jupyter" else own_tables.all_tables(self.paper, style)
-            return own_paper.document(report, style, own_paper.Pictures(tables))
+            pictures = own_paper.Pictures(tables)
+            if style == "beamer":
+                return own_slides.slides(report, pictures)
+            return own_paper.document(report, style, pictures)
         rows = [report[label] for label in dict.fromkeys(labels)]
         if refused := own_paper.refused(rows):
             raise InputError("; ".join(refused))

@@ -1,4 +1,5 @@
-r"""Write the documents of a file of claims: an article in LaTeX, fragments, Markdown, a notebook.
+r"""Write the documents of a file of claims: an article in LaTeX, fragments, Markdown, HTML, a
+notebook.
 
 Prose is carried over, every statement is printed as it is written in the file, with its verdict and
 the reason, and a derivation step by step. A claim that is UNDECIDED is marked as not proved, and a
@@ -10,7 +11,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import partial
+from html import escape
 from typing import NamedTuple
+from xml.sax.saxutils import quoteattr
 
 from tresym.ledger.finding import Premise
 from tresym.papers.definitions import PREFIX, Definition
@@ -47,12 +50,14 @@ from tresym.reals.language.typesetting import expression_in_latex as any_express
 from tresym.reals.language.typesetting import to_latex as any_formula
 from tresym.reals.verdict import Verdict
 from tresym.report.pages import notebook
+from tresym.report.typesetting import html
 from tresym.report.typesetting.formulas_in_words import parts, region_latex
 from tresym.report.typesetting.plain_text import plain
 
 LINE = 72
 """Signs of a formula and its conditions that fit in one line of an article."""
-STYLES = ("article", "markdown", "jupyter")
+STYLES = ("article", "markdown", "html", "jupyter")
+"""What this module writes; slides and a site have modules of their own."""
 _TEX = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "&": r"\&", "%": r"\%", "#": r"\#",
     "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}",
@@ -102,7 +107,7 @@ class Pictures(NamedTuple):
     charts: Mapping[int, str] = {}
 
 
-class _Style(NamedTuple):
+class Style(NamedTuple):
     """How the parts of a document are written in one language."""
 
     words: Callable[[str], str]
@@ -141,7 +146,7 @@ def _md_words(text: str) -> str:
     return text
 
 
-_LATEX = _Style(
+LATEX = Style(
     tex_words,
     lambda title: f"\\section*{{{tex_words(title)}}}\n",
     lambda formula: f"${formula}$",
@@ -157,7 +162,7 @@ _LATEX = _Style(
         f"\\begin{{center}}\\includegraphics[width=0.8\\linewidth]{{{path}}}\\end{{center}}\n"
     ),
 )
-_MARKDOWN = _Style(
+MARKDOWN = Style(
     _md_words,
     lambda title: f"## {title}\n",
     lambda formula: f"${formula}$",
@@ -167,6 +172,19 @@ _MARKDOWN = _Style(
     lambda label: f"`{label}`",
     lambda path: f"![]({path})\n",
 )
+HTML = Style(
+    html.words,
+    lambda title: f"<h2>{html.words(title)}</h2>\n",
+    html.formula,
+    lambda formula, label: (
+        f'<div class="formula"{f" id={quoteattr(label)}" if label else ""}>'
+        f"{html.formula(formula, True)}</div>\n"
+    ),
+    lambda text: f"<strong>{text}</strong>",
+    lambda text: f"<code>{escape(text)}</code>",
+    lambda label: f'<a href="#{escape(label)}"><code>{escape(label)}</code></a>',
+    lambda path: f'<p><img src="{escape(path)}" alt=""></p>\n',
+)
 
 
 def document(report: PaperReport, style: str = "article", pictures: Pictures | None = None) -> str:
@@ -174,17 +192,19 @@ def document(report: PaperReport, style: str = "article", pictures: Pictures | N
 
     Args:
         report: the verified file.
-        style: ``article`` (LaTeX), ``markdown`` or ``jupyter``.
+        style: ``article`` (LaTeX), ``markdown``, ``html`` or ``jupyter``.
         pictures: its tables and charts, if they were drawn.
     """
     if style == "jupyter":
         return _notebook(report)
-    look = _LATEX if style == "article" else _MARKDOWN
+    if style == "html":
+        return html.page(report.paper.title, html_body(report, HTML, pictures or Pictures()))
+    look = LATEX if style == "article" else MARKDOWN
     header = report.paper.header
     body = "\n".join(_blocks(report.paper, report, look, pictures or Pictures()))
     if style == "markdown":
         head = _markdown_head(report.paper)
-        return f"{head}\n{body}\n{_summary(report, look)}{_markdown_references(header)}"
+        return f"{head}\n{body}\n{summary(report, look)}{_markdown_references(header)}"
     for key in header.references:
         body = body.replace(f"[{_escaped(key)}]", rf"\cite{{{key}}}")
     authors = r" \and ".join(map(tex_words, header.authors))
@@ -197,7 +217,37 @@ def document(report: PaperReport, style: str = "article", pictures: Pictures | N
         f"\\bibitem{{{key}}} {tex_words(words)}\n" for key, words in header.references.items()
     )
     end = f"\\begin{{thebibliography}}{{99}}\n{works}\\end{{thebibliography}}\n" if works else ""
-    return f"{_PREAMBLE}{head}{body}\n{_summary(report, look)}{end}\\end{{document}}\n"
+    return f"{_PREAMBLE}{head}{body}\n{summary(report, look)}{end}\\end{{document}}\n"
+
+
+def html_body(report: PaperReport, look: Style, pictures: Pictures) -> str:
+    """Return the whole paper in HTML, without the frame of the page.
+
+    Args:
+        report: the verified file.
+        look: :data:`HTML`, or what writes some parts otherwise.
+        pictures: its tables and charts.
+    """
+    paper, header = report.paper, report.paper.header
+    authors = html.words(", ".join(header.authors))
+    parts = [f"<h1>{html.words(paper.title)}</h1>"]
+    parts += [f'<p class="authors">{authors}</p>'] if authors else []
+    if header.abstract:
+        parts.append(f'<p class="abstract">{html.words(header.abstract)}</p>')
+    for item in paper.items:
+        text = "".join(item_blocks(item, report, look, pictures)).rstrip()
+        if isinstance(item, PaperClaim | Definition):
+            verdicts = [row.verdict.value for row in report.rows if row.item is item]
+            parts.append(f'<div class="claim {verdicts[0] if verdicts else ""}">\n{text}\n</div>')
+        elif isinstance(item, Prose | Declaration | Let):
+            parts.append(f"<p>{text}</p>")
+        elif text:
+            parts.append(f'<div class="wide">{text}</div>' if isinstance(item, Drawn) else text)
+    if works := header.references:
+        listed = "".join(f"<li>[{escape(k)}] {html.words(v)}</li>\n" for k, v in works.items())
+        parts.append(f"<h2>References</h2>\n<ul>\n{listed}</ul>")
+    parts.append(f"<footer><p>{summary(report, look).strip()}</p></footer>")
+    return "\n".join(parts)
 
 
 def _markdown_head(paper: OwnPaper) -> str:
@@ -218,11 +268,11 @@ def fragments(report: PaperReport, rows: Collection[Row], style: str = "article"
     if style == "jupyter":
         cells = [notebook.code(f'import tresym\n\npaper = tresym.open("{report.paper.name}")')]
         for row in rows:
-            cells.append(notebook.text(_block(row, report, _MARKDOWN)))
+            cells.append(notebook.text(block(row, report, MARKDOWN)))
             cells.append(notebook.code(f'paper.verify("{row.label}")["{row.label}"]'))
         return notebook.book(cells)
-    look = _LATEX if style == "article" else _MARKDOWN
-    return "\n".join(_block(row, report, look) for row in rows)
+    look = {"article": LATEX, "html": HTML}.get(style, MARKDOWN)
+    return "\n".join(block(row, report, look) for row in rows)
 
 
 def refused(rows: Collection[Row]) -> list[str]:
@@ -241,7 +291,7 @@ def _notebook(report: PaperReport) -> str:
         notebook.code(f'import tresym\n\npaper = tresym.open("{report.paper.name}")'),
     ]
     for item in report.paper.items:
-        blocks = list(_item_blocks(item, report, _MARKDOWN, Pictures()))
+        blocks = list(item_blocks(item, report, MARKDOWN, Pictures()))
         cells += [notebook.text(block) for block in blocks if block.strip()]
         if isinstance(item, PaperClaim) and item.label in report.by_label:
             cells.append(notebook.code(f'paper.verify("{item.label}")["{item.label}"]'))
@@ -252,16 +302,22 @@ def _notebook(report: PaperReport) -> str:
     return notebook.book(cells)
 
 
-def _blocks(
-    paper: OwnPaper, report: PaperReport, look: _Style, pictures: Pictures
-) -> Iterator[str]:
+def _blocks(paper: OwnPaper, report: PaperReport, look: Style, pictures: Pictures) -> Iterator[str]:
     for item in paper.items:
-        yield from _item_blocks(item, report, look, pictures)
+        yield from item_blocks(item, report, look, pictures)
 
 
-def _item_blocks(
-    item: object, report: PaperReport, look: _Style, pictures: Pictures
+def item_blocks(
+    item: object, report: PaperReport, look: Style, pictures: Pictures
 ) -> Iterator[str]:
+    """Yield what a document contains of one item of the file.
+
+    Args:
+        item: the item.
+        report: the verified file.
+        look: the language of the document.
+        pictures: the tables and charts.
+    """
     if isinstance(item, Section):
         yield look.section(item.title)
     elif isinstance(item, Prose):
@@ -274,7 +330,7 @@ def _item_blocks(
         key = item.label if isinstance(item, PaperClaim) else item.name
         rows = [row for row in report.rows if row.item is item]
         if rows:
-            yield _block(rows[0], report, look)
+            yield block(rows[0], report, look)
         else:
             yield f"{look.code(key)} was not verified.\n"
     elif isinstance(item, Drawn) and item.kind == "table" and item.line in pictures.tables:
@@ -283,7 +339,7 @@ def _item_blocks(
         yield look.picture(pictures.charts[item.line])
 
 
-def _let(item: Let, look: _Style) -> str:
+def _let(item: Let, look: Style) -> str:
     """A line ``let``: what holds in the claims that use it."""
     parts = [rf"{_latex(made.head)} := {_latex(made.written)}" for made in item.definitions]
     parts += [conditions_latex(item.given)] if item.given else []
@@ -292,7 +348,7 @@ def _let(item: Let, look: _Style) -> str:
     return f"Where {look.code(item.label)}{place} is used: {shown}."
 
 
-def _declared(item: Declaration, look: _Style) -> str:
+def _declared(item: Declaration, look: Style) -> str:
     conditions = look.formula(conditions_latex(item.given)) if item.given else ""
     if not item.names:
         return f"From here on {conditions}."
@@ -301,8 +357,8 @@ def _declared(item: Declaration, look: _Style) -> str:
     return f"Let {names} be {kind}{' with ' + conditions if conditions else ''}."
 
 
-def _block(row: Row, report: PaperReport, look: _Style) -> str:
-    """A definition or a claim with its verdict."""
+def block(row: Row, report: PaperReport, look: Style) -> str:
+    """Return a definition or a claim with its verdict, in the language of a document."""
     item = row.item
     if isinstance(item, Definition):
         text = _display(rf"{_latex(item.head)} := {_latex(item.written)}", "", look)
@@ -314,11 +370,11 @@ def _block(row: Row, report: PaperReport, look: _Style) -> str:
     return f"{text}{_verdict(row, item, look)}\n"
 
 
-def _display(formula: str, label: str, look: _Style) -> str:
+def _display(formula: str, label: str, look: Style) -> str:
     return look.display(formula, label)
 
 
-def _verdict(row: Row, item: PaperClaim, look: _Style) -> str:
+def _verdict(row: Row, item: PaperClaim, look: Style) -> str:
     """The sentence below a claim: its verdict, the reason, the constant and the region."""
     name = look.code(item.label) + (f" ({look.words(item.place)})" if item.place else "")
     quoted = f" (quoted from {look.words(item.source)})" if item.source else ""
@@ -357,7 +413,7 @@ def _verdict(row: Row, item: PaperClaim, look: _Style) -> str:
     return text
 
 
-def _numbers(text: str, look: _Style) -> str:
+def _numbers(text: str, look: Style) -> str:
     """Words with numbers in the notation of print: 4.5e-11 with a power of ten."""
     parts_ = re.split(r"(\d[\d.]*)e([-+]?\d+)", text)
     found = look.words(parts_[0])
@@ -370,7 +426,7 @@ def _with_given(claim: str, given: str) -> str:
     return f"{claim} given {given}" if given else claim
 
 
-def _reason(why: str, look: _Style, known: Collection[str] = (), is_error: bool = False) -> str:
+def _reason(why: str, look: Style, known: Collection[str] = (), is_error: bool = False) -> str:
     """The reason of a verdict up to the points that were tried, its formulas typeset.
 
     Of an order the factor C is left out, since the constant is given below; and what the reason
@@ -385,7 +441,7 @@ def _reason(why: str, look: _Style, known: Collection[str] = (), is_error: bool 
     for part, is_formula in parts(first, known):
         if is_formula:
             found += look.formula(part)
-        elif look is _MARKDOWN and re.search(r"[*_^<>|]", part):
+        elif look.words is not tex_words and re.search(r"[*_^<>|]", part):
             found += re.sub(r"\S*[*_^<>|]\S*", lambda word: look.code(word[0]), part)
         else:
             found += look.words(part)
@@ -488,8 +544,8 @@ def _plain(e: Expr) -> Expr:
     return rebuild(e, parts)
 
 
-def _summary(report: PaperReport, look: _Style) -> str:
-    """The last paragraph: how many claims have which verdict, and lines that were not read."""
+def summary(report: PaperReport, look: Style) -> str:
+    """Return the last paragraph: how many claims have which verdict, and what was not read."""
     counts = ", ".join(f"{n} {ruling.value}" for ruling, n in report.counts.items() if n)
     text = f"Verified with tresym: {counts or 'no claims'}."
     if report.paper.problems:

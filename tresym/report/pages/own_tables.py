@@ -15,6 +15,8 @@ from tresym.reals.numbers.exact import InputError
 _SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 _RAISED = str.maketrans("0123456789", _SUPERSCRIPTS)
 _PLAIN = str.maketrans(_SUPERSCRIPTS, "0123456789")
+FORMS = {"article": "latex", "beamer": "latex", "html": "html", "site": "html"}
+"""The format of tables in a document of a style; Markdown in the others."""
 FEW = 4
 """The digits of errors in a table, whose other columns have as many as the file asks for."""
 
@@ -89,12 +91,12 @@ def all_tables(paper: OwnPaper, style: str) -> tuple[dict[int, str], tuple[str, 
 
     Args:
         paper: the file.
-        style: ``article`` for LaTeX, else Markdown.
+        style: ``article`` or ``beamer`` for LaTeX, ``html`` or ``site``, else Markdown.
 
     Returns:
         The tables by their lines in the file; a line of error has the file and the line.
     """
-    form = "latex" if style == "article" else "markdown"
+    form = FORMS.get(style, "markdown")
     found: dict[int, str] = {}
     errors = []
     for drawn in paper.drawn("table"):
