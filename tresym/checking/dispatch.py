@@ -23,7 +23,12 @@ from tresym.reals.decisions.equations import (
 from tresym.reals.decisions.exceptional_values import decide_with_jumps, refuted_at_jumps
 from tresym.reals.decisions.identity import JUMP
 from tresym.reals.decisions.rounding import of_residues, residues, without_rounding
-from tresym.reals.decisions.statement import Statement, functions, implied_integers
+from tresym.reals.decisions.statement import (
+    Statement,
+    functions,
+    implied_integers,
+    never_integers,
+)
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound, needs, operations
@@ -202,6 +207,10 @@ def _part_spoken_of(statement: Statement) -> str | None:
 
 def _everywhere(comparison: Comparison, statement: Statement) -> Answer:
     statement = _with_integers(comparison, statement)
+    trees = (comparison.left, comparison.right, *statement.said)
+    if never := never_integers(trees, statement.integers):
+        why = f"nothing is said: {', '.join(map(str, never))} are nowhere integers together"
+        return Answer(Verdict.UNDECIDED, why)
     answer = _bounded(comparison, statement)
     if answer:
         answer = beyond_positive_bases(answer, comparison, statement, _bounded)

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
+from math import lcm
 
-from tresym.reals.domain.conditions import Given
+from flint import fmpq, fmpz_mat
+
+from tresym.reals.domain.conditions import Given, linear_form
 from tresym.reals.language.calls import FACTORIAL, INFINITY, INTEGERS
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
@@ -159,6 +162,41 @@ def implied_integers(trees: Iterable[Expr], known: Iterable[str] = ()) -> tuple[
             if linear and len(new) == 1 and rest is not None:
                 names[new[0]] = None
     return tuple(names)
+
+
+def never_integers(trees: Iterable[Expr], known: Iterable[str] = ()) -> list[Expr]:
+    """Return what must be an integer but is one nowhere together; an empty list if it can be.
+
+    With an integer n, ``factorial(n + 3/2)/factorial(n + 1/2)`` has no value at all, and a claim
+    about it would hold for want of points. For linear places ``A v + b`` with unknown v, the rows
+    of a unimodular matrix that cancel A must make b an integer; such a matrix comes with the
+    Hermite normal form of (A | 1). Places that are not linear are left out.
+
+    Args:
+        known: the variables that are integers.
+
+    Example:
+        >>> from tresym.reals.language.parsing import parse
+        >>> [str(e) for e in never_integers([parse("factorial(n + 1/2)")], ["n"])]
+        ['n', 'n + 1/2']
+        >>> never_integers([parse("factorial(n/2)")], ["n"])
+        []
+    """
+    places = dict.fromkeys([symbol(name) for name in known])
+    places |= dict.fromkeys(place for e in trees for place in _integer_places(e))
+    forms = [(place, form) for place in places if (form := linear_form(place)) is not None]
+    names = sorted({name for _, form in forms for name in form if name})
+    if not forms:
+        return []
+    scale = lcm(*(int(c.q) for _, form in forms for c in form.values()))
+    rows = [[int(form.get(name, 0) * scale) for name in names] for _, form in forms]
+    ones = [[int(i == j) for j in range(len(forms))] for i in range(len(forms))]
+    for row in fmpz_mat([a + b for a, b in zip(rows, ones, strict=True)]).hnf().tolist():
+        combined = row[len(names) :]
+        total = sum((c * form[""] for c, (_, form) in zip(combined, forms, strict=True)), fmpq(0))
+        if not any(row[: len(names)]) and total.q != 1:
+            return [place for c, (place, _) in zip(combined, forms, strict=True) if c]
+    return []
 
 
 def _integer_places(e: Expr) -> Iterator[Expr]:

@@ -273,7 +273,7 @@ def _unfolded(link: tuple[Expr, str, Expr]) -> Iterator[tuple[Expr, str, Expr]]:
 
 def _propagate(box: dict[str, Interval], condition: Condition, homogeneous: bool = False) -> None:
     """Narrow the symbols of a linear condition: with a > 0, x > a gives x > 0."""
-    form = _linear(condition.expression)
+    form = linear_form(condition.expression)
     if condition.relation == "!=" or form is None or (homogeneous and form[""] != 0):
         return
     for name, slope in form.items():
@@ -307,7 +307,7 @@ def _within_even_powers(box: dict[str, Interval], condition: Condition) -> None:
             _tighten(box, symbol(name), condition.relation, -end)
 
 
-def _linear(e: Expr) -> dict[str, fmpq] | None:
+def linear_form(e: Expr) -> dict[str, fmpq] | None:
     """Return the coefficients of a linear expression, its constant under "", or None."""
     return _sum_of(e, even=False)
 
