@@ -1,28 +1,32 @@
-"""Differences and quadrature for every smooth f: Taylor's theorem at one point x.
+"""Orders of difference formulas, quadratures and methods for differential equations.
 
-A scheme is a sum of values f(x + c h), derivatives there and integrals between such points, with
-powers of h as coefficients. By Taylor's theorem with remainder it is, up to every power of h, a
-polynomial in h whose coefficients are linear in f(x), f′(x), f″(x), … These numbers are arbitrary
-for smooth f: the scheme is O(h**p) for every f if and only if all coefficients below h**p are zero,
-and if one is not, a polynomial (t − x)**k is a counterexample.
+By Taylor's theorem with remainder a scheme is, up to every power of h, a polynomial in h whose
+coefficients are polynomials in the derivatives at x of the functions in it: see
+:mod:`tresym.asymptotics.jets`. These derivatives are arbitrary for smooth functions: the scheme is
+O(h**p) for all of them if and only if all coefficients below h**p are zero. If one is not, values
+of the derivatives at which it differs from 0 give a counterexample, a polynomial. The functions in
+differential equations are their solutions; what is arbitrary then is the right side f and where the
+solution starts.
 
-Example: ``(f(x+h) - 2*f(x) + f(x-h))/h**2 == diff(f(x), x, 2) + O(h**2) as h -> 0``.
+Examples: ``(f(x+h) - 2*f(x) + f(x-h))/h**2 == diff(f(x), x, 2) + O(h**2) as h -> 0``, and the
+midpoint rule ``y(t+h) == y(t) + h*k + O(h**3) as h -> 0 given diff(y(t), t) == f(t, y(t)),
+k == f(t + h/2, y(t) + h/2*f(t, y(t)))``.
 """
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
-from math import factorial
-from typing import NamedTuple
+from itertools import islice, product
+from math import factorial, prod
 
-from tresym.reals.decisions.answer import Answer, Decide
-from tresym.reals.decisions.statement import Statement
-from tresym.reals.domain.conditions import Given
+from flint import fmpq
+
+from tresym.asymptotics.jets import Jets, Polynomial, Series, UnreadError, Variable
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.readable_witnesses import constants_hold
+from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.language.comparisons import Comparison
-from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
     ZERO,
@@ -37,253 +41,250 @@ from tresym.reals.language.expression import (
     substitute,
     symbol,
     symbols,
-    unknown,
 )
-from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.verdict import Verdict
 
 LEMMA = "Taylor's theorem with remainder at one point (DLMF 1.4(vi))"
 FURTHER = 12
 """Powers of h beyond the claimed one in which the leading error is looked for."""
-LARGEST = 40
-"""Larger exponents of h are not read."""
-Powers = dict[int, Fraction]
-"""A sum of powers of h: coefficients by exponents."""
+FURTHER_OF_SOLUTIONS = 1
+"""The same where functions of functions occur, whose coefficients grow fast."""
+SHOWN = 12
+"""A leading error with more terms is not shown."""
+TRIED = 2_000
+"""Values of derivatives and parameters that are tried for a counterexample."""
+_VALUES = (1, 2, -1, 3, 5)
 
 
-class _UnreadError(Exception):
-    """The claim is not a scheme, for the reason that is said."""
-
-
-class _Atom(NamedTuple):
-    """f^(order) at x + high h; or its integral from x + low h to x + high h."""
-
-    name: str
-    order: int
-    high: Fraction
-    low: Fraction | None = None
-
-    def term(self, j: int) -> Fraction:
-        """Return the coefficient of f^(order + j)(x) h^j, or h^(j + 1) for an integral."""
-        if self.low is None:
-            return self.high**j / factorial(j)
-        return (self.high ** (j + 1) - self.low ** (j + 1)) / factorial(j + 1)
-
-
-Linear = dict[_Atom | None, Powers]
-"""A sum of atoms with powers of h as coefficients; None stands for 1."""
-
-
-class _Reader:
-    """Reads expressions as schemes in h."""
-
-    def __init__(self, h: str) -> None:
-        self.h = h
-        self.base: Expr | None = None
-        self.atoms: dict[Expr, _Atom] = {}
-
-    def place(self, e: Expr) -> Fraction:
-        """Return c of an argument x + c h, and remember x, which is the same for all."""
-        if not _is_polynomial(e):
-            raise _UnreadError(f"the argument {e} is not x + c*h")
-        slope = normal_form(differentiate(e, self.h), Given())
-        base = normal_form(substitute(e, {self.h: ZERO}), Given())
-        if slope.op != "number":
-            raise _UnreadError(f"the argument {e} is not x + c*{self.h} with a rational number c")
-        if self.base is not None and base != self.base:
-            raise _UnreadError(f"the arguments {base} and {self.base} are not near one point")
-        self.base = base
-        return Fraction(int(slope.args[0].p), int(slope.args[0].q))
-
-    def atom(self, e: Expr) -> _Atom:
-        """Return what an unknown value or an integral of one is."""
-        f = e.args[0] if e.op == "integral" else e
-        if f.op != "unknown" or len(f.args) != 2:
-            raise _UnreadError("only functions of one argument and their plain integrals are read")
-        name, orders = f.args[0].args
-        if e.op == "unknown":
-            return _Atom(name, orders[0], self.place(f.args[1]))
-        if f.args[1].op != "bound":
-            raise _UnreadError(f"the integrand of {e} is not the plain {name}")
-        return _Atom(name, orders[0], self.place(e.args[2]), self.place(e.args[1]))
-
-    def read(self, e: Expr) -> Linear:
-        """Return an expression as a scheme."""
-        if e.op == "number":
-            return {None: {0: Fraction(int(e.args[0].p), int(e.args[0].q))}}
-        if e == symbol(self.h):
-            return {None: {1: Fraction(1)}}
-        if e.op in ("unknown", "integral"):
-            self.atoms[e] = self.atom(e)
-            return {self.atoms[e]: {0: Fraction(1)}}
-        if e.op == "+":
-            return _sum(*map(self.read, e.args))
-        if e.op == "*":
-            product: Linear = {None: {0: Fraction(1)}}
-            for factor in e.args:
-                product = _product(product, self.read(factor))
-            return product
-        n = integer(e.args[1]) if e.op == "^" else None
-        if n is None or abs(n) > LARGEST:
-            raise _UnreadError(f"{e} is not a number or a sum of powers of {self.h}")
-        base = self.read(e.args[0])
-        if n < 0:
-            powers = base.get(None, {})
-            if len(base) != 1 or len(powers) != 1:
-                raise _UnreadError(f"the denominator {e.args[0]} is not a power of {self.h}")
-            ((m, c),) = powers.items()
-            base, n = {None: {-m: 1 / c}}, -n
-        found: Linear = {None: {0: Fraction(1)}}
-        for _ in range(n):
-            found = _product(found, base)
-        return found
-
-
-def _is_polynomial(e: Expr) -> bool:
-    if e.op in ("+", "*"):
-        return all(map(_is_polynomial, e.args))
-    return e.op == "number" or (e.op == "symbol" and e.args[0] not in ("oo", "..."))
-
-
-def _sum(*terms: Linear) -> Linear:
-    total: defaultdict[_Atom | None, defaultdict[int, Fraction]]
-    total = defaultdict(lambda: defaultdict(Fraction))
-    for term in terms:
-        for atom, powers in term.items():
-            for n, c in powers.items():
-                total[atom][n] += c
-    kept = {atom: {n: c for n, c in powers.items() if c} for atom, powers in total.items()}
-    return {atom: powers for atom, powers in kept.items() if powers}
-
-
-def _product(one: Linear, other: Linear) -> Linear:
-    terms: list[Linear] = []
-    for first, powers in one.items():
-        for second, more in other.items():
-            if first is not None and second is not None:
-                raise _UnreadError("a product of values of functions is not linear in them")
-            atom = second if first is None else first
-            terms += [{atom: {n + m: c * d}} for n, c in powers.items() for m, d in more.items()]
-    if any(abs(n) > LARGEST for term in terms for powers in term.values() for n in powers):
-        raise _UnreadError(f"powers beyond {LARGEST} are not read")
-    return _sum(*terms)
-
-
-Jet = tuple[str, int] | None
-"""f^(k)(x), or None for 1."""
-
-
-def _series(scheme: Linear, top: int) -> dict[int, dict[Jet, Fraction]]:
-    """Return the coefficients of the powers of h up to ``top``, linear in the derivatives at x."""
-    found: defaultdict[int, defaultdict[Jet, Fraction]]
-    found = defaultdict(lambda: defaultdict(Fraction))
-    for atom, powers in scheme.items():
-        for n, c in powers.items():
-            if atom is None:
-                if n <= top:
-                    found[n][None] += c
-                continue
-            first = n + (atom.low is not None)
-            for j in range(max(0, top - first + 1)):
-                found[first + j][atom.name, atom.order + j] += c * atom.term(j)
-    kept = {n: {jet: c for jet, c in jets.items() if c} for n, jets in found.items()}
-    return {n: jets for n, jets in sorted(kept.items()) if jets}
-
-
-def decide_scheme(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+def decide_scheme(claim: Comparison, statement: Statement) -> Answer:
     """Decide that a scheme is O(h**p) or o(h**p) for all smooth functions in it."""
     try:
-        return _decide(claim, statement, decided)
-    except _UnreadError as reason:
+        return _decide(claim, statement)
+    except UnreadError as reason:
         why = f"integrals, limits and orders of arbitrary functions need a scheme in h: {reason}"
         return Answer(Verdict.UNDECIDED, why)
 
 
-def _decide(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+def _decide(claim: Comparison, statement: Statement) -> Answer:
     path = statement.path
-    if path is None or path.point != ZERO or path.expression is not None:
-        raise _UnreadError("its path must be h -> 0")
+    if path is None or path.point != ZERO or path.expression is not None or path.together:
+        raise UnreadError("its path must be h -> 0")
+    if statement.integers or statement.uniformly or path.reach is not None or path.region:
+        raise UnreadError("integers, ranges and uniformity are not supported")
+    scheme, p, small = _claimed(claim, path.name)
+    jets = Jets(path.name, statement.equations)
+    for e in (d.function for d in claim.derivatives):  # what is read is smooth
+        _known(jets, e, 1)
+    least = p + small
+    found = _known(jets, scheme, least)
+    if not found.terms:
+        further = FURTHER_OF_SOLUTIONS if _grows(jets, scheme) else FURTHER
+        return Answer(Verdict.PROVED, _proved(jets, scheme, least, p + further + 1), lemma=LEMMA)
+    q = found.first
+    error = f"the error is {_term(jets, found.terms[q], q)}"
+    example = _Counterexample.of(jets, found.terms[q], statement)
+    if example is None:
+        return Answer(Verdict.UNDECIDED, f"{error}, but no example was found")
+    why = f"{error}, so the true order is {_power(symbol(path.name), q)}"
+    return Answer(Verdict.REFUTED, f"{why}; for example {example}", witness={}, lemma=LEMMA)
+
+
+def _claimed(claim: Comparison, h: str) -> tuple[Expr, int, bool]:
+    """Return what is claimed to be O(h**p), the exponent, and whether o(h**p) is claimed."""
+    if claim.relation == "->":
+        return claim.left - claim.right, 0, True
     if claim.relation not in ("O", "o"):
-        raise _UnreadError("only O and o are decided")
-    if statement.said or statement.integers or statement.uniformly or path.reach is not None:
-        raise _UnreadError("conditions, ranges and uniformity are not supported")
-    if claim.derivatives:
-        raise _UnreadError("derivatives of other functions are not supported")
-    reader = _Reader(path.name)
-    gauge = reader.read(claim.right)
-    if [*gauge] != [None] or len(gauge[None]) != 1:
-        raise _UnreadError(f"the order {claim.right} is not a power of {path.name}")
-    (p,) = gauge[None]
-    scheme = reader.read(claim.left)
-    base = ZERO if reader.base is None else reader.base
-    names = sorted({atom.name for atom in reader.atoms.values()})
-    series = _series(scheme, p + FURTHER)
-    h = symbol(path.name)
-    shown = ", ".join(names)
-    if not scheme:
-        return Answer(Verdict.PROVED, f"for all smooth {shown} the error is zero", lemma=LEMMA)
-    q = next(iter(series), None)
-    leading = None if q is None else _leading(series[q], q, h, base)
-    if q is not None and (q < p or (q == p and claim.relation == "o")):
-        jet = None if None in series[q] else min(j for j in series[q] if j is not None)
-        example = _with_polynomial(claim, reader, jet, h)
-        found = decided(example, statement)
-        if found.verdict is not Verdict.REFUTED:
-            why = f"the error is {leading} + …, but the example {example.left} is not refuted"
-            return Answer(Verdict.UNDECIDED, why)
-        which = f"{shown} = 0"
-        if jet is not None:
-            which = f"{jet[0]}(t) = {_power(symbol('t') - base, jet[1])}"
-            which += ", all others 0" if len(names) > 1 else ""
-        why = f"the error is {leading} + …, so the true order is {_power(h, q)}"
-        return Answer(Verdict.REFUTED, f"{why}; for example {which}", witness={}, lemma=LEMMA)
-    example = _with_exponentials(claim, reader, names, h)
-    if decided(example, statement).verdict is Verdict.REFUTED:
-        return Answer(Verdict.UNDECIDED, "an exponential function contradicts Taylor's theorem")
-    error = f"the error is {leading} + …" if q is not None else "no term of the error was found"
-    fixed = f" at each fixed {base}" if symbols(base) else f" at {base}"
-    near = f"for all smooth {shown}{fixed}, by Taylor's theorem with remainder"
-    return Answer(Verdict.PROVED, f"{near}: {error}", lemma=LEMMA)
+        raise UnreadError("only limits, O and o are decided")
+    right = replaced(claim.right, {apply("abs", symbol(h)): symbol(h)})
+    found = _known(Jets(h), right, 1 + 2 * _largest_exponent(right))
+    if len(found.terms) != 1 or not found.terms[found.first].is_constant():
+        raise UnreadError(f"the order {claim.right} is not a power of {h}")
+    return claim.left, found.first, claim.relation == "o"
 
 
-def _leading(jets: dict[Jet, Fraction], q: int, h: Expr, base: Expr) -> Expr:
-    """Return the leading term of the error."""
-    values = {jet: ONE if jet is None else unknown(jet[0], (base,), (jet[1],)) for jet in jets}
-    total = add(*(multiply(number(c), values[jet]) for jet, c in jets.items()))
-    return multiply(_power(h, q), total)
+def _largest_exponent(e: Expr) -> int:
+    """Return a bound of the exponent of h in a power of h."""
+    n = integer(e.args[1]) if e.op == "^" else None
+    if n is not None:
+        return abs(n)
+    return sum(map(_largest_exponent, e.args)) if e.op in ("*", "+") else 1
+
+
+def _known(jets: Jets, scheme: Expr, least: int) -> Series:
+    """Return the terms of a scheme below h**least."""
+    top = max(least, 1)
+    for _ in range(4):
+        jets.solve(top)
+        found = jets.reduced(jets.read(scheme))
+        if found.known >= least:
+            return found.upto(least)
+        top += least - found.known
+    raise UnreadError("its terms cancel further than was looked at")
+
+
+def _grows(jets: Jets, scheme: Expr) -> bool:
+    """Return whether coefficients grow fast, by functions of values of functions."""
+    trees = (scheme, *jets.equations.values(), *jets.definitions.values())
+    nodes = (f for e in trees for f in functions(e))
+    return bool(jets.rules) or any(any(functions(arg)) for f in nodes for arg in f.args[1:])
+
+
+def _proved(jets: Jets, scheme: Expr, least: int, most: int) -> str:
+    """Return for which functions and where an order is proved, and the leading error."""
+    error = "no term of the error was found"
+    for top in range(max(least, 1), most + 1):
+        try:
+            found = _known(jets, scheme, top)
+        except UnreadError:  # too many terms: what is proved does not need them
+            break
+        if found.terms:
+            error = f"the error is {_term(jets, found.terms[found.first], found.first)}"
+            break
+    free = sorted({v.name for v in jets.variables if v.orders} - set(jets.rules))
+    trees = (scheme, *jets.equations.values(), *jets.definitions.values())
+    who = [f"all smooth {', '.join(free)}"] if free else []
+    who += [f"every solution {', '.join(sorted(jets.rules))}"] if jets.rules else []
+    own = {jets.h, *jets.equations, *jets.definitions}
+    fixed = sorted(frozenset().union(*map(symbols, trees)) - own)
+    at = f" at each fixed {', '.join(fixed)}" if fixed else ""
+    stages = ", with stages that stay bounded" if jets.implicit else ""
+    where = f"for {' and '.join(who) or 'all values'}{at}{stages}"
+    return f"{where}, by Taylor's theorem with remainder: {error}"
 
 
 def _power(base: Expr, n: int) -> Expr:
     return ONE if n == 0 else power(base, number(n))
 
 
-def _with_polynomial(claim: Comparison, reader: _Reader, jet: Jet, h: Expr) -> Comparison:
-    """Return the claim for (t − x)**k in place of one function and 0 in place of the others."""
-
-    def value(atom: _Atom) -> Expr:
-        if jet is None or atom.name != jet[0] or atom.order > jet[1]:
-            return ZERO
-        j = jet[1] - atom.order
-        size = number(atom.term(j) * factorial(jet[1]))
-        return multiply(size, _power(h, j + (atom.low is not None)))
-
-    return _put_in(claim, reader, value)
-
-
-def _with_exponentials(claim: Comparison, reader: _Reader, names: list[str], h: Expr) -> Comparison:
-    """Return the claim for exp(r (t − x)) in place of each function, with r = 2, 3, …"""
-
-    def value(atom: _Atom) -> Expr:
-        r = Fraction(2 + names.index(atom.name))
-        high = apply("exp", multiply(number(r * atom.high), h))
-        if atom.low is None:
-            return multiply(number(r**atom.order), high)
-        low = apply("exp", multiply(number(r * atom.low), h))
-        return multiply(number(r ** (atom.order - 1)), high - low)
-
-    return _put_in(claim, reader, value)
+def _term(jets: Jets, coefficient: Polynomial, q: int) -> str:
+    """Return the leading term of the error as text."""
+    h = _power(symbol(jets.h), q)
+    if len(coefficient) > SHOWN:
+        return f"{h} times a polynomial of {len(coefficient)} terms in derivatives + …"
+    short = {v: _index_name(jets, v) for v in jets.used(coefficient) if not _is_plain(jets, v)}
+    known = {jets.meaning(v): symbol(name) for v, name in short.items()}
+    shown = str(multiply(h, replaced(jets.expression(coefficient), known)))
+    places = {f"{v.name} at ({', '.join(map(str, jets.place(v)))})": None for v in short}
+    return f"{shown} + …" + (f" (derivatives of {' and '.join(places)})" if places else "")
 
 
-def _put_in(claim: Comparison, reader: _Reader, value: Callable[[_Atom], Expr]) -> Comparison:
-    known = {node: value(atom) for node, atom in reader.atoms.items()}
-    return replace(claim, left=replaced(claim.left, known))
+def _is_plain(jets: Jets, which: Variable) -> bool:
+    return all(e.op in ("symbol", "number") for e in jets.place(which))
+
+
+def _index_name(jets: Jets, which: Variable) -> str:
+    """Return f_ty for the derivative of f(t, y) by t and y, at a point such as (t, y(t))."""
+    letters = _arguments(jets, which)
+    index = "".join(letter * n for letter, n in zip(letters, which.orders, strict=True))
+    return f"{which.name}_{index}" if index else which.name
+
+
+def _arguments(jets: Jets, which: Variable) -> list[str]:
+    """Return names for the arguments of a function: t and y for f(t, y(t))."""
+    heads = [e.args[0] if e.op == "symbol" else e for e in jets.place(which)]
+    names = [
+        e if isinstance(e, str) else e.args[0].args[0] if e.op == "unknown" else "" for e in heads
+    ]
+    clear = all(len(name) == 1 for name in names) and len({*names, which.name}) == len(names) + 1
+    return (
+        names if clear else [f"u{k}" if len(names) > 1 else "s" for k in range(1, len(names) + 1)]
+    )
+
+
+class _Counterexample:
+    """Values of derivatives and parameters at which the leading error is not zero."""
+
+    def __init__(self, jets: Jets, values: Mapping[Variable, int]) -> None:
+        self.jets = jets
+        self.values = values
+
+    @classmethod
+    def of(cls, jets: Jets, lead: Polynomial, statement: Statement) -> _Counterexample | None:
+        """Return a counterexample that satisfies the conditions, or None."""
+        behind = jets.behind(lead)
+        said = statement.given.names - {jets.h}
+        if not _are_independent(jets, behind) or said & set(jets.equations):
+            return None
+        behind += [Variable(name) for name in sorted(said - {v.name for v in behind})]
+        terms = [[k for k, n in enumerate(m) if n] for m in lead.monoms()]
+        chosen_terms = min(terms, key=len)
+        needed = [
+            jets.variables[k] for k in chosen_terms if jets.variables[k].name not in jets.constants
+        ]
+        tried = (
+            {v: 0 if v.orders else rest for v in behind if v.name not in jets.constants}
+            | dict(zip(needed, chosen, strict=True))
+            for rest in (0, 1)
+            for chosen in product(_VALUES, repeat=len(needed))
+        )
+        for values in islice(tried, TRIED):
+            found = cls(jets, values)
+            if found.differs(lead) and _satisfy(values, statement):
+                return found
+        return None
+
+    def differs(self, lead: Polynomial) -> bool:
+        """Return whether a coefficient is not zero here."""
+        value = self._at(lead)
+        return constants_hold([(value, "!=", ZERO)]) is not None
+
+    def __str__(self) -> str:
+        names = sorted({v.name for v in self.values if v.orders})
+        shown = [part for name in names for part in self._of_function(name)]
+        fixed = [f"{v.name} = {n}" for v, n in self.values.items() if not v.orders]
+        return ", ".join(shown + fixed)
+
+    def _of_function(self, name: str) -> Iterator[str]:
+        """Yield a function as a polynomial, or the values with which a solution starts."""
+        own = [v for v in self.values if v.name == name and v.orders]
+        place = [self._at(p) for p in self.jets.bases[own[0]]]
+        if name in self.jets.rules:
+            for v in own:
+                at = ", ".join(map(str, place))
+                orders = ", ".join(map(str, v.orders))
+                marks = "'" * v.orders[0] if len(v.orders) == 1 else f"^({orders})" * any(v.orders)
+                if self.values[v] or not marks:
+                    yield f"{name}{marks}({at}) = {self.values[v]}"
+            return
+        letters = _arguments(self.jets, own[0])
+        steps = [symbol(x) - b for x, b in zip(letters, place, strict=True)]
+        terms = [
+            multiply(
+                number(Fraction(self.values[v], prod(map(factorial, v.orders)))),
+                *(_power(step, n) for step, n in zip(steps, v.orders, strict=True)),
+            )
+            for v in own
+            if self.values[v]
+        ]
+        yield f"{name}({', '.join(letters)}) = {add(*terms) if terms else ZERO}"
+
+    def _at(self, p: Polynomial) -> Expr:
+        """Return the number that a coefficient is here."""
+        numbers = {
+            f"v{k}": fmpq(self.values[v])
+            for k, v in enumerate(self.jets.variables)
+            if v in self.values
+        }
+        return self.jets.expression(p.subs(numbers))
+
+
+def _are_independent(jets: Jets, variables: Iterable[Variable]) -> bool:
+    """Return whether derivatives at the points that occur can have any values.
+
+    They can where every function occurs at one point, and solutions with all initial values exist:
+    for ordinary differential equations, and for linear ones with constant coefficients.
+    """
+    places: dict[str, tuple[str, ...]] = {}
+    for which in variables:
+        if which.orders and places.setdefault(which.name, which.base) != which.base:
+            return False
+    ordinary = all(len(rule.names) == 1 for rule in jets.rules.values())
+    return ordinary or all(map(jets.is_linear, jets.rules))
+
+
+def _satisfy(values: Mapping[Variable, int], statement: Statement) -> bool:
+    """Return whether the conditions hold at these values of the parameters."""
+    at = {v.name: number(n) for v, n in values.items() if not v.orders}
+    links = statement.given.mapped(lambda e: substitute(e, at)).comparisons
+    left = constants_hold(links)
+    return left is not None and not left.comparisons

@@ -407,6 +407,14 @@ class _Parts(NamedTuple):
         return self.statement.path is not None and bool(self.unknown) and known
 
     @property
+    def has_stages(self) -> bool:
+        """Return whether equations with arbitrary functions stand beside a path to 0."""
+        path = self.statement.path
+        if path is None or path.point != ZERO or not self.unknown or FACTORIAL in self.unknown:
+            return False
+        return any(any(functions(e)) for pair in self.statement.equations for e in pair)
+
+    @property
     def gammas(self) -> bool:
         """Return whether factorials, and special functions or integrals, are all that is open."""
         if self.unknown != {FACTORIAL} or not self.nodes <= {"unknown", "integral"}:
@@ -492,10 +500,13 @@ def _premises(*claim: Any) -> Answer:
     return decide_under_premises(*claim)
 
 
-def _schemes(*claim: Any) -> Answer:
+def _schemes(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
     from tresym.asymptotics.schemes import decide_scheme
 
-    return decide_scheme(*claim)
+    found = decide_scheme(comparison, statement)
+    if found.verdict is Verdict.UNDECIDED and statement.has_initial_values:
+        return _initial_values(comparison, statement, decided)
+    return found
 
 
 def _recurrences(*claim: Any) -> Answer:
@@ -663,6 +674,11 @@ ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
         _premises,
         lambda p: bool(p.statement.premises),
         "what is claimed of all functions of an order is claimed of none that is known",
+    ),
+    (
+        _schemes,
+        lambda p: p.has_stages,
+        "beside h -> 0 equations give the derivatives and stages of a method",
     ),
     (
         _recurrences,
