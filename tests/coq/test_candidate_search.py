@@ -11,6 +11,7 @@ from tresym.commands import main
 from tresym.coq.allowed_axioms import assumptions
 from tresym.coq.candidate_search import export, file_of, prelude, proofs
 from tresym.coq.claim_export import theorems
+from tresym.coq.coqtop import HEAD, Dialogue, declares
 from tresym.dev.corpus.lists import known, pairs
 from tresym.reals.decisions.claim_parsing import read
 
@@ -46,6 +47,29 @@ def test_an_axiom_of_another_name_is_reported(name: str) -> None:
     assert assumptions(f"{reals}\n{name}\n  : False") == f"it rests on {name}"
 
 
+@pytest.mark.parametrize(
+    ("script", "found"),
+    [
+        ("intros x.\n{ lra. }\n2: { now field. }", False),
+        ("intros x.\nAxiom a : 0 = 1.\nexact a.", True),
+        ("{ lra. } Admitted", True),
+        ("lra.} Parameter a : False.", True),
+    ],
+)
+def test_a_proof_is_tactics_alone(script: str, found: bool) -> None:
+    assert declares(script) is found
+
+
+@pytest.mark.coq
+def test_what_coq_kept_is_the_statement() -> None:
+    with Dialogue(lemmas=HEAD) as coq:
+        assert coq.accepts(f"{coq.goal('0 < 1')}\nlra.\nQed.", 20)
+        assert coq.proved("0 < 1")
+        assert not coq.proved("0 < 2")
+        assert not coq.accepts(f"{coq.goal('1 < 0')}\nlra.\nQed.", 20)
+        assert not coq.proved("1 < 0")
+
+
 @pytest.mark.coq
 def test_true_claims_are_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for claim in ("sin(2*x) == 2*sin(x)*cos(x)", "diff(sqrt(a + x), x) == 1/(2*sqrt(a + x))"):
@@ -54,6 +78,24 @@ def test_true_claims_are_accepted(tmp_path: Path, capsys: pytest.CaptureFixture[
         answer = json.loads(capsys.readouterr().out)
         assert answer["coq"]["accepted"] is True
         assert "Print Assumptions claim." in target.read_text()
+
+
+@pytest.mark.coq
+def test_of_a_file_it_is_said_which_claims_are_proved(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "mine.tresym"
+    file.write_text(
+        "# Mine\n\n"
+        "square: (x + 1)^2 == x^2 + 2*x + 1\n"
+        "both: exp(x) >= 1 + x and sin(x) <= x given x > 0\n"
+        "wrong: x^2 >= x given x > 0 expect refuted\n"
+        "bessel: besselj(0, x) <= 1 given 0 <= x <= 1\n"
+    )
+    assert main(["verify", str(file), "--coq", "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["coq"]
+    assert [row["accepted"] for row in found.values()] == [True, True, None, None]
+    assert "refuted" in found["wrong"]["says"].lower()
 
 
 @pytest.mark.coq

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import astuple
 from itertools import count
 from shutil import get_terminal_size
 from typing import TYPE_CHECKING
@@ -87,6 +85,7 @@ def verify(
     target: str | None = None,
     limit: float | None = None,
     workers: int | None = None,
+    coq: bool = False,
 ) -> int:
     """Verify a file of claims, print or write the rows, and return the exit status."""
     from tresym.papers.verification import LIMIT, verify_paper
@@ -97,7 +96,8 @@ def verify(
         return BAD_INPUT if paper.problems else 0
     if as_json or target is not None:
         report = verified(paper, labels, limit, workers)
-        deliver(json.dumps(report.as_json(), ensure_ascii=False, indent=1) + "\n", target)
+        whole = report.as_json() | ({"coq": _in_coq(report)} if coq else {})
+        deliver(json.dumps(whole, ensure_ascii=False, indent=1) + "\n", target)
         return status(report)
     colour, columns = colour_wanted(), get_terminal_size().columns
     advance = _counter(len(paper.chosen(labels)))
@@ -110,7 +110,25 @@ def verify(
     report = verify_paper(paper, labels, limit or LIMIT, workers, on_row=show)
     show_progress("")
     print(summary(report, colour))
+    if coq:
+        found = _in_coq(report)
+        for label, said in found.items():
+            print(f"{label:<{LABEL_WIDTH}}  {said['says']}")
+        count_ = sum(said["accepted"] is True for said in found.values())
+        print(f"{count_} of {len(found)} claims proved in Coq")
     return status(report)
+
+
+def _in_coq(report: PaperReport) -> dict[str, dict[str, object]]:
+    """Return of each claim whether Coq accepts a proof, and what is said of it."""
+    from tresym.coq.paper_proofs import outcomes
+
+    found: dict[str, dict[str, object]] = {}
+    for label, outcome in outcomes(report):
+        found[label] = {"accepted": outcome.accepted, "says": outcome.says}
+        show_progress(f"{label} in Coq")
+    show_progress("")
+    return found
 
 
 def row_lines(row: Row, full: bool, width: int, colour: bool) -> list[str]:
@@ -306,51 +324,18 @@ def export(path: str, labels: Sequence[str], folder: str, force: bool) -> int:
     Each theorem has a proof if one is found; if Coq is installed, it checks the file. The folder
     also gets ``index.json``, which says of each claim what came of it.
     """
-    from tresym.coq.candidate_search import export as searched
-    from tresym.coq.claim_export import theorems, theorems_of_parts
-    from tresym.coq.statement import NotExportedError
-    from tresym.papers.reading import PaperClaim
-    from tresym.reals.decisions.claim_parsing import read
-    from tresym.reals.language.formula import chained
+    from tresym.coq.paper_proofs import file_name, outcomes
 
     paper = opened(path)
     report = verified(paper, labels, None)
     make_folder(folder)
     index: dict[str, dict[str, object]] = {}
     files: dict[str, str] = {}
-    for row in report.rows:
-        claim = row.item
-        if not isinstance(claim, PaperClaim) or not row.requested:
-            continue
-        accepted: bool | None = None
-        if not row.verdict.holds:
-            index[row.label] = {"accepted": None, "says": f"{row.verdict.value}: not exported"}
-            continue
-        name = re.sub(r"\W", "_", row.label)
-        show_progress(f"{row.label} in Coq")
-        try:
-            if not (claim.links or claim.whole) or claim.assumed:
-                raise NotExportedError("labels and assumptions are not exported to Coq")
-            if claim.whole is not None:
-                accepted, says, text = astuple(searched(theorems_of_parts(claim.whole, name)))
-                if accepted is not False:
-                    files[os.path.join(folder, f"{name}.v")] = text
-                index[row.label] = {"accepted": accepted, "says": says}
-                continue
-            found = [
-                theorem
-                for n, link in enumerate(claim.links, 1)
-                for theorem in theorems(
-                    read(chained((link,)), chained(claim.conditions), claim.path),
-                    name if not claim.is_derivation else f"{name}_{n}",
-                )
-            ]
-            accepted, says, text = astuple(searched(found))
-            if accepted is not False:
-                files[os.path.join(folder, f"{name}.v")] = text
-        except (NotExportedError, InputError) as error:
-            says = str(error)
-        index[row.label] = {"accepted": accepted, "says": says}
+    for label, found in outcomes(report):
+        show_progress(f"{label} in Coq")
+        if found.text and found.accepted is not False:
+            files[os.path.join(folder, f"{file_name(label)}.v")] = found.text
+        index[label] = {"accepted": found.accepted, "says": found.says}
     show_progress("")
     files[os.path.join(folder, "index.json")] = (
         json.dumps(index, ensure_ascii=False, indent=1) + "\n"

@@ -60,6 +60,12 @@ def add(commands: Commands) -> None:
         ("--workers N", "number of processes (default: one per core)"),
         ("--limit SECONDS", "processor time for each claim of a file (20)"),
     )
+    parser.add_argument(
+        "--coq",
+        dest="in_coq",
+        action="store_true",
+        help="also prove the claims of a file in Coq, and say which proofs Coq accepts",
+    )
     add_output(parser)
 
 
@@ -71,6 +77,8 @@ def run(args: argparse.Namespace) -> int:
         return _verify_file(args)
     if args.limit is not None:
         raise InputError("verify: --limit is for a file of claims: tresym verify FILE.tresym")
+    if args.in_coq:
+        raise InputError("verify: --coq is for a file of claims; the paper's proofs are stored")
     if args.save_sentences:
         return _save_sentences(tuple(args.labels))
     if not args.full:
@@ -96,6 +104,7 @@ def _verify_file(args: argparse.Namespace) -> int:
         target=args.path,
         limit=None if args.limit is None else parse_seconds(args.limit),
         workers=worker_count(args.workers),
+        coq=args.in_coq,
     )
 
 

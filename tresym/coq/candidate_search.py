@@ -8,18 +8,24 @@ Coq.
 from __future__ import annotations
 
 import shutil
-import subprocess
-import tempfile
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
-from pathlib import Path
 
 from tresym.coq.allowed_axioms import assumptions
 from tresym.coq.bound_proofs import Prove, bound_proofs, no_search
 from tresym.coq.bound_statements import BoundTheorem
-from tresym.coq.coqtop import HEAD, TEXT_SECONDS, Dialogue, library, prelude, version
+from tresym.coq.checked_proofs import by_machine
+from tresym.coq.coqtop import (
+    HEAD,
+    TEXT_SECONDS,
+    Dialogue,
+    axioms,
+    declares,
+    prelude,
+    version,
+)
 from tresym.coq.equations import equation_proofs
 from tresym.coq.inequalities import inequality_proofs
 from tresym.coq.statement import Theorem
@@ -77,26 +83,38 @@ def export(theorems: Sequence[Theorem | BoundTheorem], seconds: float = 120) -> 
     if shutil.which("coqc") is None:
         found = [next(proofs(theorem), None) for theorem in theorems]
         return Outcome(None, MISSING, file_of(theorems, found))
-    found = []
+    proved_by: list[str] = []
     lemmas = HEAD + bound(theorems)
+    start = time.monotonic()
     with Dialogue(lemmas=lemmas) as coq:
         coq.begin()
-        deadline = time.monotonic() + seconds
         for theorem in theorems:
-            proof = found_by(theorem, coq, deadline)
-            if proof is None:
+            proof = found_by(theorem, coq, start + seconds)
+            if proof is None or not is_proved(theorem, proof, coq):
                 says = f"no proof of {theorem.name} was found that Coq accepts"
-                return Outcome(False, says, file_of(theorems, found))
-            found.append(proof)
-    text = file_of(theorems, found)
-    # Coq reads the lemmas as compiled files; they are long, and compiled once for all claims.
-    start = HEAD + "Require Import Racket.\n"
-    accepted, output, took = run(start + proved(theorems, found), seconds, library(lemmas))
-    if not accepted:
-        return Outcome(False, f"Coq does not accept the proof ({output})", text)
-    return Outcome(
-        True, f"accepted by Coq {version()} in {took:.1f} s; {assumptions(output)}", text
-    )
+                return Outcome(False, says, file_of(theorems, proved_by))
+            proved_by.append(proof)
+    took = time.monotonic() - start
+    says = f"accepted by Coq {version()} in {took:.1f} s; {_rests(lemmas, proved_by)}"
+    return Outcome(True, says, file_of(theorems, proved_by))
+
+
+def _rests(lemmas: str, found: Iterable[str]) -> str:
+    """Return on which axioms the proofs rest: those of the lemmas, which were asked once."""
+    says = assumptions(axioms(lemmas))
+    machine = any(by_machine(proof, f"{prelude()}\n{lemmas}") for proof in found)
+    if machine and "machine" not in says:
+        says = says.removesuffix(" alone") + " and at most on Coq's machine integers and floats"
+    return says
+
+
+def is_proved(theorem: Theorem | BoundTheorem, proof: str, coq: Dialogue) -> bool:
+    """Return whether Coq has just proved the theorem, by tactics alone.
+
+    The search ran in this process, so that Coq's kernel has seen the proof; this asks that the
+    proof declared nothing, and that what Coq kept last is a proof of the statement.
+    """
+    return not declares(proof) and coq.proved(theorem.body)
 
 
 def bound(theorems: Iterable[Theorem | BoundTheorem]) -> str:
@@ -137,7 +155,7 @@ def found_by(theorem: Theorem | BoundTheorem, coq: Dialogue, deadline: float) ->
         left = deadline - time.monotonic()
         if left <= 0:
             return None
-        if coq.accepts(f"Goal\n{theorem.body}.\nProof.\n{proof}\nQed.", min(left, TEXT_SECONDS)):
+        if coq.accepts(f"{coq.goal(theorem.body)}\nProof.\n{proof}\nQed.", min(left, TEXT_SECONDS)):
             return proof
     if isinstance(theorem, Theorem) and theorem.relation == "==" and theorem.by is None:
         return by_steps(theorem, coq, deadline)
@@ -150,7 +168,7 @@ def by_steps(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
     def begin() -> None:
         coq.begin()
         coq.holds("Abort All.")
-        coq.holds(f"Goal\n{theorem.body}.")
+        coq.holds(coq.goal(theorem.body))
 
     def ask(sentence: str) -> bool:
         return time.monotonic() < deadline and coq.holds(sentence)
@@ -159,26 +177,3 @@ def by_steps(theorem: Theorem, coq: Dialogue, deadline: float) -> str | None:
     held = proof is not None and coq.holds("Qed.")
     coq.holds("Abort All.")
     return proof if held else None
-
-
-def run(text: str, seconds: float, options: tuple[str, ...] = ()) -> tuple[bool, str, float]:
-    """Run coqc on the text; return whether it accepts it, its output or error, and the time."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "claim.v"
-        path.write_text(text, encoding="utf-8")
-        start = time.perf_counter()
-        try:
-            done = subprocess.run(
-                ["coqc", "-q", *options, path.name],
-                cwd=folder,
-                capture_output=True,
-                text=True,
-                timeout=seconds,
-            )
-        except subprocess.TimeoutExpired:
-            return False, f"Coq did not finish within {seconds:g} s", seconds
-    took = time.perf_counter() - start
-    if done.returncode == 0:
-        return True, done.stdout, took
-    lines = done.stderr.split("Error:")[-1].split()
-    return False, " ".join(lines)[:200], took

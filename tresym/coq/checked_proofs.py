@@ -25,6 +25,7 @@ _NAMED = re.compile(
 _ALSO = re.compile(r"\bwith\s+([\w']+)\b[^|;]*?:=")
 _PROOF = re.compile(r"(Proof|Qed|Defined)\b|[^A-Z]")
 _WORD = re.compile(r"[A-Za-z_][\w']*")
+_MACHINE = re.compile(r"\b(interval|integral_intro)\b")
 
 
 class Library:
@@ -80,6 +81,11 @@ class Library:
 def library(text: str) -> Library:
     """Return the pieces of Coq text."""
     return Library(text)
+
+
+def by_machine(text: str, lemmas: str) -> bool:
+    """Return whether a proof, or a lemma or tactic behind it, may use Coq's machine arithmetic."""
+    return any(map(_MACHINE.search, (text, *library(lemmas).behind(text).values())))
 
 
 def digest(parts: Iterable[object]) -> str:

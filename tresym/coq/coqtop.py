@@ -30,6 +30,8 @@ Open Scope R_scope.
 """
 _DONE = "Check (fun v_done : Prop => v_done)."
 _SENTENCE = re.compile(r".*?\.(?=\s|$)", re.DOTALL)
+_BRACES = re.compile(r"^(?:[\s{}]|\d+ *:)+")
+_LEMMA = re.compile(r"^\s*(?:Lemma|Theorem|Corollary)\s+([\w']+)", re.MULTILINE)
 
 
 @cache
@@ -45,6 +47,36 @@ def library(lemmas: str = "") -> tuple[str, ...]:
     for name, text in (("Tresym.v", prelude()), ("Racket.v", lemmas)):
         found = (*found, "-Q", str(_compiled(name, text, found)), "")
     return found
+
+
+@cache
+def axioms(lemmas: str = "") -> str:
+    """Return what ``Print Assumptions`` says of all lemmas of the library, asked once for each."""
+    options = library(lemmas)
+    kept = Path(options[-2], "axioms.txt")
+    with suppress(OSError):
+        return kept.read_text(encoding="utf-8")
+    names = _LEMMA.findall(f"{prelude()}\n{lemmas}")
+    whole = ", ".join(f"@{name}" for name in names)
+    text = f"{HEAD}Require Import Racket.\nDefinition all := ({whole}).\n"
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "all.v").write_text(text + "Print Assumptions all.\n", encoding="utf-8")
+        command = ["coqc", "-q", *options, "all.v"]
+        done = subprocess.run(
+            command, cwd=folder, capture_output=True, text=True, check=True, timeout=1800
+        )
+    with suppress(OSError):
+        kept.write_text(done.stdout, encoding="utf-8")
+    return done.stdout
+
+
+def declares(script: str) -> bool:
+    """Return whether a script has a sentence that is no tactic, so that it could assume something.
+
+    Tactics begin with a small letter, ``Axiom``, ``Admitted`` and all other commands do not.
+    """
+    begins = (_BRACES.sub("", sentence) for sentence in re.split(r"\.(?=[\s{}]|$)", script))
+    return any(not sentence[:1].islower() for sentence in begins if sentence)
 
 
 _KEPT: list[tempfile.TemporaryDirectory[str]] = []
@@ -93,6 +125,7 @@ class Dialogue:
         self.patience = patience
         self.lemmas = lemmas
         self.process: subprocess.Popen[bytes] | None = None
+        self.count = 0
         self.folder = tempfile.TemporaryDirectory()  # for the cache files of its arithmetic
 
     def __enter__(self) -> Dialogue:
@@ -119,7 +152,7 @@ class Dialogue:
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
             )
-            self.said(HEAD + "Require Import Racket.\n", 120)
+            self.said(HEAD + "Require Import Racket.\nSet Silent.\n", 120)
 
     def holds(self, sentence: str) -> bool:
         """Return whether Coq accepts the sentence; an error leaves its state unchanged."""
@@ -127,6 +160,15 @@ class Dialogue:
         if answer is None:
             self.end()
         return answer is not None and "Error:" not in answer
+
+    def goal(self, body: str) -> str:
+        """Return the sentence that begins the proof of a statement, under a name of its own."""
+        self.count += 1
+        return f"Theorem v_{self.count} :\n{body}."
+
+    def proved(self, body: str) -> bool:
+        """Return whether the last goal is a theorem now, and says this."""
+        return self.holds(f"Check (v_{self.count} :\n{body}).")
 
     def accepts(self, text: str, seconds: float) -> bool:
         """Return whether Coq accepts the text without an error; its definitions remain in force.

@@ -38,7 +38,6 @@ from tresym.output import check_replaceable, make_folder, write_text
 from tresym.reals.numbers.exact import InputError
 
 STORE = "coq.json"
-_MACHINE = re.compile(r"\b(interval|integral_intro)\b")
 MAKEFILE = """all: Makefile.coq
 \t$(MAKE) -f Makefile.coq
 
@@ -404,8 +403,7 @@ def closed(chosen: Mapping[str, Entry], parts: Iterable[str], store: Mapping[str
 def _by_machine(entry: Entry) -> bool:
     """Whether a proof, or a lemma or tactic behind it, may use Coq's machine arithmetic."""
     text = f"{entry.lemmas}\n{entry.script}\n{entry.without}"
-    behind = checked_proofs.library(library_text()).behind(text)
-    return any(map(_MACHINE.search, (text, *behind.values())))
+    return checked_proofs.by_machine(text, library_text())
 
 
 def _closed(label: str, uses: Iterable[str], chosen: Mapping[str, Entry]) -> Iterator[str]:
