@@ -158,7 +158,8 @@ class RegularParameter(Expansion):
 
     def _whole(self, c: fmpq, w: Expr) -> arb | None:
         """Return a bound of the integral or sum of c·w over the range; None if none is known."""
-        if symbols(self.low) | symbols(self.high) or self.low in _INFINITE:
+        finite = {self.low, self.high} - {INFINITY}
+        if self.low in _INFINITE or any(symbols(end) for end in finite):
             return None
         t, low = symbol(self.t), self.low
         whole_squares = 1 / low + 1 / low**2 if low.op == "number" and low.args[0] > 0 else None
@@ -185,12 +186,8 @@ class RegularParameter(Expansion):
         """Return a constant for a finite range, if one is proved for a bound found by numbers."""
         if symbols(self.low) | symbols(self.high) or e.size > LONG:
             return None
-        names = sorted(symbols(e) - {self.t, self.small})
-        points = list(islice(self.end.given.points(names, VALUES), VALUES)) if names else [{}]
-        ranges = [self.end.given.box.get(name, Interval()) for name in names]
-        ends = [[x for x in (where.low, where.high) if x is not None] for where in ranges]
-        points += (dict(zip(names, at, strict=True)) for at in islice(product(*ends), VALUES))
-        grid = GRID if not names else FEW
+        points = self._values_of_parameters(e)
+        grid = GRID if points == [{}] else FEW
         with ball_precision():
             low, high = evaluate(self.low, {}), evaluate(self.high, {})
             largest = arb(0)
@@ -205,6 +202,14 @@ class RegularParameter(Expansion):
                 return None
             return rounded_up(arb(bound) * (high - low) / factorial(order), 4)
 
+    def _values_of_parameters(self, e: Expr) -> list[dict[str, fmpq]]:
+        """Return values of the other variables of ``e`` and the ends of their ranges."""
+        names = sorted(symbols(e) - {self.t, self.small})
+        points = list(islice(self.end.given.points(names, VALUES), VALUES)) if names else [{}]
+        ranges = [self.end.given.box.get(name, Interval()) for name in names]
+        ends = [[x for x in (where.low, where.high) if x is not None] for where in ranges]
+        return points + [dict(zip(names, at, strict=True)) for at in islice(product(*ends), VALUES)]
+
     def _majorised(
         self, e: Expr, t: Expr, inside: Given, ask: Obligations
     ) -> tuple[fmpq, Expr] | None:
@@ -212,8 +217,13 @@ class RegularParameter(Expansion):
         at_zero = substitute(e, {self.small: ZERO})
         reach = inside.box[self.small]
         places = [ZERO, *(number(end) for end in (reach.low, reach.high) if end is not None)]
+        values = self._values_of_parameters(e)
         for w in self._majorants(at_zero, t):
-            ratios = (substitute(e / w, {self.small: place}) for place in places)
+            ratios = (
+                substitute(e / w, {name: number(v) for name, v in at.items()} | {self.small: place})
+                for place in places
+                for at in values
+            )
             sizes = [self._supremum(ratio) for ratio in ratios]
             known = [size for size in sizes if size is not None]
             if len(known) < len(sizes):
