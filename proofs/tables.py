@@ -212,11 +212,15 @@ def table(name: str) -> Table:
     return TABLES[name]()._replace(name=name)
 
 
+LONGEST = 22
+"""Characters of a number in LaTeX."""
+
+
 def written(found: Table, form: str) -> str:
     """Return a table as ``form``: text, markdown, latex, csv or html."""
     from tresym.report.pages.derivation import prose
 
-    return in_format(found, form, prose)
+    return in_format(found, form, prose, LONGEST)
 
 
 def _short(x: fmpq) -> str:

@@ -12,12 +12,13 @@ from typing import NamedTuple
 from flint import fmpq
 
 from tresym.accuracy.error_table import ErrorTable, error_table
+from tresym.accuracy.sampled import sampled_table
 from tresym.accuracy.values import Exact, certified, constant
 from tresym.reals.decisions.path_regions import conditions_of
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.expression import substitute
 from tresym.reals.language.parsing import parse
-from tresym.reals.language.paths import read_path
+from tresym.reals.language.paths import Path, read_path
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 
@@ -54,14 +55,7 @@ def error_curves(
     Raises:
         InputError: as for :func:`tresym.error_table`.
     """
-    way = read_path(path)
-    points: list[Exact] = list(at)
-    if not points:
-        side = way.sides[0]
-        steps = [side / step if way.point is None else side * step for step in STEPS]
-        points = [str(x) for x in steps]
-        if way.point is not None:
-            points = [way.point + constant(x, way.name) for x in points]
+    points = list(at) or _points_along(read_path(path))
     found = []
     for approx in approximations:
         kept = [x for x in points if at or has_value(exact, approx, path, x, given)]
@@ -70,6 +64,34 @@ def error_curves(
         table = error_table(exact, approx, path, kept, given, DIGITS, order, region)
         found.append(ErrorCurve(table, tuple(_points(table)), tuple(_bound(table))))
     return found
+
+
+def _points_along(way: Path) -> list[Exact]:
+    side = way.sides[0]
+    points: list[Exact] = [str(side / step if way.point is None else side * step) for step in STEPS]
+    if way.point is not None:
+        points = [way.point + constant(x, way.name) for x in points]
+    return points
+
+
+def sampled_points(
+    function: str, exact: str, path: str, at: Sequence[Exact] = (), given: str = ""
+) -> list[tuple[float, float]]:
+    """Return the errors of a function of the user as points (distance from the end, |error|).
+
+    Args:
+        function: ``file.py:function`` or ``module:function``.
+        exact, path, at, given: as for :func:`error_curves`.
+
+    Raises:
+        InputError: as for :func:`tresym.accuracy.sampled.sampled_table`.
+    """
+    way = read_path(path)
+    points = [x for x in at or _points_along(way) if at or has_value(exact, exact, path, x, given)]
+    table = sampled_table(function, exact, points, way.name, given)
+    rows = [(x, row.error) for x, row in zip(points, table.rows, strict=True)]
+    sizes = [(_distance(path, x), abs(float(e.mid))) for x, e in rows if e is not None]
+    return [(x, size) for x, size in sizes if size > 0]
 
 
 def has_value(exact: str, approx: str, path: str, x: Exact, given: str = "") -> bool:
@@ -81,8 +103,8 @@ def has_value(exact: str, approx: str, path: str, x: Exact, given: str = "") -> 
     return True
 
 
-def _distance(table: ErrorTable, x: str) -> float:
-    way = read_path(table.path)
+def _distance(path: str, x: Exact) -> float:
+    way = read_path(path)
     gap = constant(x, way.name)
     if way.point is not None:
         gap = gap - way.point
@@ -96,7 +118,7 @@ def _points(table: ErrorTable) -> list[tuple[float, float]]:
         (x,) = at.values()
         size = abs(float(error.mid))
         if size > 0:
-            found.append((_distance(table, x), size))
+            found.append((_distance(table.path, x), size))
     return found
 
 
@@ -116,5 +138,5 @@ def _bound(table: ErrorTable) -> list[tuple[float, float]]:
             fits = all(c.holds_exactly({way.name: value}) for c in inside.conditions)
         if fits:
             size = abs(float(certified(substitute(gauge, {way.name: x}), 12).mid()))
-            found.append((_distance(table, text), high * size))
+            found.append((_distance(table.path, text), high * size))
     return sorted(found)

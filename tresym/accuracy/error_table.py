@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -68,6 +68,8 @@ from tresym.reals.numbers.exact import (
 )
 from tresym.reals.verdict import Verdict
 
+DIGITS = 15
+"""The digits of values that are shown if no number is asked for."""
 FEW = 6
 """The digits of errors and orders that a table shows."""
 POINTS = (fmpq(1, 2), fmpq(1, 10), fmpq(1, 100), fmpq(1, 1000), fmpq(1, 10000))
@@ -143,6 +145,7 @@ class ErrorTable:
         constant: the supremum of ``abs((exact - approx)/gauge)`` on the region, or None.
         digits: the digits of the values.
         seconds: processor time.
+        region: the region that was asked for.
     """
 
     exact: str
@@ -153,8 +156,9 @@ class ErrorTable:
     gauge: str = ""
     guessed: bool = False
     constant: Constant | None = None
-    digits: int = 50
+    digits: int = DIGITS
     seconds: float = field(default=0.0, compare=False)
+    region: str = ""
 
     @cached_property
     def table(self) -> Table:
@@ -199,7 +203,8 @@ class ErrorTable:
                 f"{self.constant.high}{_place(self.constant.where)}"
             )
         elif self.claim is not None and self.claim.verdict is not Verdict.REFUTED:
-            found.append("no enclosure of the smallest constant was found on a region")
+            where = self.region or "a region"
+            found.append(f"no enclosure of the smallest constant was found on {where}")
         return tuple(found)
 
     def text(self) -> str:
@@ -297,7 +302,7 @@ def error_table(
     path: str,
     at: Sequence[Exact] = (),
     given: str = "",
-    digits: int = 50,
+    digits: int = DIGITS,
     order: str | Expr | None = None,
     region: str = "",
     *,
@@ -334,7 +339,7 @@ def error_table(
     question = asked(exact, approx, path, given, order)
     chosen = not at
     points = (
-        _default_points(question.path, region)
+        points_of(question.path, region)
         if chosen
         else [constant(x, question.path.name) for x in at]
     )
@@ -353,6 +358,12 @@ def error_table(
         gauge = _guessed(question.path, found[-1].order)
         guessed = gauge is not None
     claim = best = None
+    if decide and gauge is None and region:
+        raise InputError(
+            f"the constant on {region} needs the comparison function, which could not be guessed "
+            f"from the rows: name it, as in --order '{question.path.name}**2', or leave the region "
+            "out"
+        )
     if decide and gauge is not None:
         claim, best = _decided(question, gauge, region, kept)
     return ErrorTable(
@@ -365,6 +376,7 @@ def error_table(
         best,
         digits,
         time.process_time() - start,
+        region,
     )
 
 
@@ -465,15 +477,19 @@ def _solved(e: Expr, equation: Expr, path: Path, fixed: Mapping[str, Expr], give
     return substitute(e, {name: root(equation, name, low, high)})
 
 
-def _default_points(path: Path, region: str) -> list[Expr]:
-    """Return sensible points along a path, far ones first."""
+def points_of(path: Path, region: str = "") -> list[Expr]:
+    """Return sensible points along a path, far ones first; those inside the region, if any is."""
     side = path.sides[0]
     if path.point is None:
-        return [number(side * 10**k) for k in (1, 2, 3, 4)]
-    found = [path.point + number(side * d) for d in POINTS]
+        found = [number(side * 10**k) for k in (1, 2, 3, 4)]
+    else:
+        found = [path.point + number(side * d) for d in POINTS]
     if not region:
         return found
     inside = Given.parse(region)
+    for other in sorted({x for link in inside.comparisons for e in link[::2] for x in symbols(e)}):
+        if other not in (path.name, INFINITY.args[0]):
+            raise InputError(f"the region {region} is one of {path.name}, not of {other}")
     with ball_precision():
         values = [{path.name: certified(x, 15)} for x in found]
         kept = [
@@ -596,7 +612,14 @@ def _decided(
 ) -> tuple[Answer, Constant | None]:
     """Return the answer to the order claim, and the best constant."""
     claim = f"{question.exact} == {question.approx} + O({gauge})"
-    answer = check(claim, path=str(question.path), limit=SECONDS)
+    path = str(question.path)
+    answer = check(
+        f"{claim} as {path} on {region}" if region else claim,
+        path=None if region else path,
+        limit=SECONDS,
+    )
+    if region and answer.verdict is Verdict.UNDECIDED:  # the order may hold nevertheless
+        answer = replace(check(claim, path=path, limit=SECONDS), constant=None)
     if answer.verdict is Verdict.REFUTED:
         return answer, None
     best = best_constant(question.exact, question.approx, gauge, question.path, region)
@@ -614,12 +637,13 @@ def _from_rows(
 
     The constant of an answer need not be the best one: a lemma proves one that is rounded up.
     """
-    if not answer or answer.constant is None or answer.region is None or region:
+    if not answer or answer.constant is None or not (region or answer.region):
         return None
+    region = region or answer.region or ""
     middle, radius = (as_rational(x) for x in answer.constant)
     name = question.path.name
     try:
-        inside = Given(conditions_of(answer.region))
+        inside = Given(conditions_of(region))
     except InputError:
         return None
     best: tuple[fmpq, str] | None = None
@@ -635,7 +659,7 @@ def _from_rows(
     if best is None or not best[0] > 0:
         return None
     low, where = best
-    found = Constant(_outward(low, -1), _outward(middle + radius, 1), answer.region, "")
+    found = Constant(_outward(low, -1), _outward(middle + radius, 1), region, "")
     return found._replace(where=f"{name} = {where}, of the points of the table")
 
 

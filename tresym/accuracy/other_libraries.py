@@ -120,13 +120,13 @@ def loaded(name: str) -> Callable[..., Any]:
     """
     module, colon, function = name.rpartition(":")
     if not colon or not function.isidentifier():
-        raise InputError(f"--mine: write module:function or file.py:function, not {name!a}")
+        raise InputError(f"write module:function or file.py:function, not {name!a}")
     try:
         if module.endswith(".py"):
             path = Path(module)
             spec = importlib.util.spec_from_file_location(path.stem, path)
             if spec is None or spec.loader is None or not path.is_file():
-                raise InputError(f"--mine: {module} is no Python file")
+                raise InputError(f"{module}: there is no such Python file")
             found: Any = importlib.util.module_from_spec(spec)
             spec.loader.exec_module(found)
         else:
@@ -139,10 +139,10 @@ def loaded(name: str) -> Callable[..., Any]:
         raise
     except Exception as error:
         why = shortened(" ".join(str(error).split()), 100)
-        raise InputError(f"--mine: {module} cannot be imported: {why}") from None
+        raise InputError(f"{module} cannot be imported: {why}") from None
     result = getattr(found, function, None)
     if not callable(result):
-        raise InputError(f"--mine: {module} has no function {function}")
+        raise InputError(f"{module} has no function {function}")
     return result
 
 

@@ -13,8 +13,6 @@ from itertools import zip_longest
 from textwrap import wrap
 from typing import NamedTuple
 
-LONGEST = 22
-"""Characters of a number in LaTeX; a longer one is cut off and ends in dots."""
 TERMINAL = 80
 """Width of a terminal in characters."""
 HEAD = 12
@@ -55,13 +53,16 @@ def markdown_text(text: str) -> str:
     return _SPECIAL.sub(r"\\\1", text)
 
 
-def written(found: Table, form: str, latex_words: Words = latex_text) -> str:
+def written(
+    found: Table, form: str, latex_words: Words = latex_text, longest: int | None = None
+) -> str:
     """Return a table in one of the :data:`FORMATS`.
 
     Args:
         found: the table.
         form: the format.
         latex_words: converts text to LaTeX.
+        longest: characters of a number in LaTeX; a longer one is cut off and ends in dots.
     """
     if form == "markdown":
         return _markdown(found)
@@ -69,7 +70,7 @@ def written(found: Table, form: str, latex_words: Words = latex_text) -> str:
         return _csv(found)
     if form == "html":
         return _html(found)
-    return _latex(found, latex_words) if form == "latex" else _text(found)
+    return _latex(found, latex_words, longest) if form == "latex" else _text(found)
 
 
 def _text(found: Table) -> str:
@@ -121,7 +122,7 @@ def _set(text: str) -> str:
     return f"{number[1].replace('-', '−')}{power}{number[3] or ''}"
 
 
-def _latex(found: Table, words: Words) -> str:
+def _latex(found: Table, words: Words, longest: int | None) -> str:
     """LaTeX for a document that loads booktabs, array, graphicx, and rotating for wide tables.
 
     A table wider than the text is shrunk to fit.
@@ -131,12 +132,16 @@ def _latex(found: Table, words: Words) -> str:
         number = _NUMBER.fullmatch(text)
         if number is None:
             return words(text)
-        digits = number[1] if len(number[1]) <= LONGEST else number[1][:LONGEST] + r"\dots"
+        digits = number[1]
+        if longest is not None and len(digits) > longest:
+            digits = digits[:longest] + r"\dots"
         power = rf"\times 10^{{{int(number[2])}}}" if number[2] else ""
         return f"${digits}{power}${words(number[3] or '')}"
 
     head, *body = [" & ".join(map(cell, row)) + r" \\" for row in (found.heads, *found.rows)]
-    columns = [_column(cells) for cells in zip(found.heads, *found.rows, strict=True)]
+    columns = [
+        _column(cells, longest or WIDEST) for cells in zip(found.heads, *found.rows, strict=True)
+    ]
     kind = "sidewaystable" if sum(width for _, width in columns) > WIDEST else "table"
     return "\n".join(
         [
@@ -156,9 +161,9 @@ def _latex(found: Table, words: Words) -> str:
     )
 
 
-def _column(cells: tuple[str, ...]) -> tuple[str, int]:
+def _column(cells: tuple[str, ...], longest: int) -> tuple[str, int]:
     """The LaTeX column type and the width of a column; a head wider than its cells is wrapped."""
-    head, *body = (min(len(text), LONGEST) + 3 * ("e-" in text) for text in cells)
+    head, *body = (min(len(text), longest) + 3 * ("e-" in text) for text in cells)
     widest = max(max(body, default=0), 7)
     if len(cells[0]) <= widest:
         return "l", max(head, widest)

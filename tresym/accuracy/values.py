@@ -28,6 +28,7 @@ from tresym.reals.language.binders import outermost, worked_out
 from tresym.reals.language.calls import FACTORIAL, INFINITY, ROUNDED, unknown_function_error
 from tresym.reals.language.expression import Expr, number, opened, substitute, symbol, symbols
 from tresym.reals.language.parsing import as_written
+from tresym.reals.language.sentences import spelled_expression
 from tresym.reals.language.typesetting import to_latex
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.notebook import html_table, in_one_line
@@ -148,11 +149,22 @@ def read(text: str | Expr) -> Expr:
         return text
     if not isinstance(text, str):
         raise InputError("an expression is text such as integral(exp(-x**2), x, 0, oo)")
-    e = worked_out(as_written(plain(text)))
+    e = worked_out(_in_any_spelling(text))
     for node in outermost(e):
         if node.op == "unknown" and node.args[0].args[0] not in (FACTORIAL, *ROUNDED):
             raise unknown_function_error(node.args[0].args[0])
     return e
+
+
+def _in_any_spelling(text: str) -> Expr:
+    """Read an expression in the strict grammar, or else as people type it, such as ``2n!``."""
+    try:
+        return as_written(plain(text))
+    except InputError:
+        again = spelled_expression(text)
+        if again is None or again == text:
+            raise
+        return as_written(plain(again))
 
 
 def constant(x: Exact, name: str) -> Expr:

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from tresym.accuracy.error_table import Cell, Question
+    from tresym.accuracy.values import Exact
     from tresym.reals.language.expression import Expr
 
 TABLES = "objects, errors, constants, slope, thresholds, routes"
@@ -46,7 +47,11 @@ def add(commands: Commands) -> None:
         help=f"an expression; {TABLES}; a file of claims",
     )
     parser.add_argument(
-        "label", nargs="?", metavar="APPROX | LABEL", help="an expression; a claim of the file"
+        "label",
+        nargs="?",
+        metavar="APPROX | LABEL",
+        help="an expression, or your own function as FILE.py:FUNCTION, whose errors are sampled at "
+        "the points of --at; a claim of the file",
     )
     parser.add_argument(
         "--as",
@@ -58,7 +63,7 @@ def add(commands: Commands) -> None:
         parser,
         ("--at POINTS", "exact values of the variable that tends to the limit point: 1/10,1/100"),
         ("--given CONDITIONS", "'M == 1', or an equation that defines an unknown of EXACT"),
-        ("--digits N=50", "digits of the values (50)"),
+        ("--digits N", "digits of the values (15)"),
         ("--order GAUGE", "the comparison function; guessed from the last rows if not given"),
         ("--on REGION", "the region for which the constant is computed: 0 < e <= 1/2"),
         ("--against FILE.csv", "check the printed cells of a file against the formula EXACT"),
@@ -83,10 +88,14 @@ def run(args: argparse.Namespace) -> int:
     """Run the command and return its exit status."""
     if args.rounded and args.against is None:
         raise InputError("table: --rounded goes with --against")
+    from tresym.accuracy.sampled import names_function
+
     if args.name is None:
         raise InputError(f"table: give two expressions, or one of {TABLES}")
     if args.against is not None:
         return check_printed(args)
+    if args.label is not None and any(map(names_function, (args.name, args.label))):
+        return sample(args)
     if args.name.endswith(claims_file.ENDING):
         if args.label is None:
             raise InputError("table: name a claim of the file: tresym table FILE.tresym LABEL")
@@ -123,7 +132,7 @@ def check_printed(args: argparse.Namespace) -> int:
 
 def compare(args: argparse.Namespace) -> int:
     """Print the error table of two expressions, and return the exit status."""
-    from tresym.accuracy.error_table import error_table
+    from tresym.accuracy.error_table import DIGITS, error_table
 
     if args.tends is None:
         raise InputError("table: two expressions need a limit process, such as --as 'x -> 0+'")
@@ -134,11 +143,38 @@ def compare(args: argparse.Namespace) -> int:
         args.tends,
         [point.strip() for point in points],
         args.given or "",
-        digits_of(args.digits),
+        DIGITS if args.digits is None else digits_of(args.digits),
         args.order,
         args.on or "",
         rows=partial(cells, scheduler=args.scheduler),
     )
+    deliver(json_line(found.as_json()) if args.json else found.written(args.format), args.path)
+    return 0
+
+
+def sample(args: argparse.Namespace) -> int:
+    """Print the sampled errors of a function of the user, and return the exit status."""
+    from tresym.accuracy.error_table import points_of
+    from tresym.accuracy.sampled import DIGITS, names_function, sampled_table
+    from tresym.reals.language.paths import read_path
+
+    if args.order is not None or args.on is not None or args.scheduler is not None:
+        raise InputError(
+            "table: the errors of a function of your own are sampled at points, so --order, --on "
+            "and --scheduler do not apply; leave them out"
+        )
+    function, exact = args.name, args.label
+    if not names_function(function):
+        function, exact = exact, function
+    if names_function(exact):
+        raise InputError("table: compare your function with an expression, such as 'erf(x)'")
+    at: list[Exact] = [part.strip() for part in (args.at or "").split(",") if part.strip()]
+    path = None if args.tends is None else read_path(args.tends)
+    if not at and path is not None:
+        at = list(points_of(path))
+    digits = DIGITS if args.digits is None else digits_of(args.digits)
+    name = "" if path is None else path.name
+    found = sampled_table(function, exact, at, name, args.given or "", digits)
     deliver(json_line(found.as_json()) if args.json else found.written(args.format), args.path)
     return 0
 

@@ -84,6 +84,22 @@ def spelled_conditions(text: str) -> str | None:
     return None if found is None else found.given
 
 
+def spelled_expression(text: str) -> str | None:
+    """Return an expression in the strict grammar, or None, as :func:`spelled` does for claims.
+
+    Example:
+        >>> spelled_expression("2n!"), spelled_expression("x <= 1")
+        ('2*factorial(n)', None)
+    """
+    _, found = tokens(text)
+    typed = Typed(found, sequences_of(text))
+    try:
+        result = spell_sum(typed) if found else None
+    except (NotSpelledError, RecursionError):
+        return None
+    return result if typed.at == len(typed.tokens) else None
+
+
 def _read(text: str, claimed: bool, given: str = "") -> Spelled | None:
     if "\\" in text and "\\" in _SIMPLE.sub("", text):
         return None

@@ -180,11 +180,17 @@ def error_chart(
     Raises:
         InputError: as there.
     """
-    from tresym.accuracy.error_curves import error_curves
+    from tresym.accuracy.error_curves import error_curves, sampled_points
+    from tresym.accuracy.sampled import names_function
     from tresym.reals.language.paths import read_path
 
-    found = error_curves(exact, approximations, path, at, given, order, region)
-    curves = []
+    functions = [text for text in approximations if names_function(text)]
+    formulas = [text for text in approximations if text not in functions]
+    found = error_curves(exact, formulas, path, at, given, order, region) if formulas else []
+    curves = [
+        Curve(f"{name} (sampled)", sampled_points(name, exact, path, at, given))
+        for name in functions
+    ]
     for one in found:
         table, words = one.table, ""
         if table.constant is not None:
@@ -193,8 +199,10 @@ def error_chart(
     way = read_path(path)
     name = way.name
     along = name if way.point is None or str(way.point) == "0" else f"|{name} − {way.point}|"
-    title = f"Errors of approximations of {found[0].table.exact}"
+    title = f"Errors of approximations of {found[0].table.exact if found else exact}"
     sentences = ["Every point is a certified error."]
+    if functions:
+        sentences.append(f"The errors of {', '.join(functions)} are sampled at these points alone.")
     for table in (one.table for one in found):
         if table.claim is not None:
             claim = table.claim.read_as or table.claim.statement
