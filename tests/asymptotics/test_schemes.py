@@ -37,3 +37,18 @@ def test_leading_error_of_a_method() -> None:
     error = "h**3*(f**2*f_yy/24 + f*f_y**2/6)"
     assert error in tresym.check(midpoint.format(3), given=equation).why
     assert "the true order is h**3" in tresym.check(midpoint.format(4), given=equation).why
+
+
+def test_systems() -> None:
+    """Scalar equations do not tell f_y(f_yy(f, f)) from f_yy(f, f_y(f)), systems do."""
+    found = tresym.check(
+        "y(t+h) == y(t) + h/8*(k1 + 3*k2 + 3*k3 + k4) + O(h**5) as h -> 0",
+        given="diff(y(t), t) == f(y(t)), k1 == f(y(t)), k2 == f(y(t) + h/3*k1),"
+        "k3 == f(y(t) + h*(k1 - k2/3)), k4 == f(y(t) + h*(-7*k1 + 11*k2 - 3*k3))",
+    )
+    assert found.verdict.value == "PROVED"
+    assert "for systems of equations the error is of order h**4: f_y(f_yy(f, f))" in found.why
+    heun = "y(t+h) == y(t) + h/2*(f(y(t)) + f(y(t) + h*f(y(t)))) + O(h**3) as h -> 0"
+    assert "also for systems" in tresym.check(heun, given="diff(y(t), t) == f(y(t))").why
+    product = "y(t+h) == y(t) + h*f(y(t))*y(t)/y(t) + O(h**2) as h -> 0"
+    assert "systems" not in tresym.check(product, given="diff(y(t), t) == f(y(t))").why

@@ -271,19 +271,23 @@ class Jets:
             if used <= 0:  # -1 for the polynomial 0
                 continue
             which = self.variables[k]
-            if not which.orders:
-                slope = _ring().constant(int(which.name == name))
-            else:
-                base = self.bases[which]
-                slope = _ring().constant(0)
-                for j, b in enumerate(base):
-                    inner = self._differentiated(b, name)
-                    if not inner.is_zero():
-                        orders = tuple(n + (i == j) for i, n in enumerate(which.orders))
-                        slope += inner * self._derivative_at(which.name, orders, base)
+            slope = self._slope(which, name)
             if not slope.is_zero():
                 total += p.derivative(k) * slope
         return total
+
+    def _slope(self, which: Variable, name: str) -> Polynomial:
+        """Return the total derivative of a variable of the coefficients by a symbol."""
+        if not which.orders:
+            return _ring().constant(int(which.name == name))
+        base = self.bases[which]
+        slope = _ring().constant(0)
+        for j, b in enumerate(base):
+            inner = self._differentiated(b, name)
+            if not inner.is_zero():
+                orders = tuple(n + (i == j) for i, n in enumerate(which.orders))
+                slope += inner * self._derivative_at(which.name, orders, base)
+        return slope
 
     def _moved(self, p: Polynomial, to: Mapping[str, Polynomial]) -> Polynomial:
         """Return a coefficient at other values of its variables."""
@@ -291,14 +295,22 @@ class Jets:
         for k, used in enumerate(p.degrees()):
             if used > 0:
                 which = self.variables[k]
-                if not which.orders:
-                    images[k] = to.get(which.name, images[k])
-                else:
-                    base = tuple(self._moved(b, to) for b in self.bases[which])
-                    images[k] = self._derivative_at(which.name, which.orders, base)
+                images[k] = (
+                    self._image(which, to) if which.orders else to.get(which.name, images[k])
+                )
         return p.compose(*images, ctx=_ring())
 
+    def _image(self, which: Variable, to: Mapping[str, Polynomial]) -> Polynomial:
+        """Return a derivative at other values of the variables of the point where it is taken."""
+        base = tuple(self._moved(b, to) for b in self.bases[which])
+        return self._derivative_at(which.name, which.orders, base)
+
     # Series
+
+    @property
+    def one(self) -> Polynomial:
+        """The coefficient 1."""
+        return _ring().constant(1)
 
     def constant(self, c: Polynomial | fmpq | int) -> Series:
         """Return a series that does not depend on h."""
@@ -324,7 +336,7 @@ class Jets:
         if e.op == "*":
             found = self.constant(1)
             for arg in e.args:
-                found = found * self.read(arg, bound)
+                found = self._product(found, self.read(arg, bound))
             return found
         if e.op == "^":
             return self._power(e, bound)
@@ -394,8 +406,12 @@ class Jets:
         found = self.constant(1)
         factor = self._reciprocal(base, e.args[0]) if n < 0 else base
         for _ in range(abs(n)):
-            found = found * factor
+            found = self._product(found, factor)
         return found
+
+    def _product(self, one: Series, other: Series) -> Series:
+        """Return the product of two values."""
+        return one * other
 
     def _reciprocal(self, series: Series, e: Expr) -> Series:
         """Return 1/e, for a first coefficient that is a number."""
@@ -431,8 +447,14 @@ class Jets:
         total = Series({}, known)
         for more, size in self._monomials(steps, known):
             at = tuple(n + m for n, m in zip(orders, more, strict=True))
-            total += size.times(self._derivative_at(name, at, base))
+            total += self._step(name, at, base, size)
         return total
+
+    def _step(
+        self, name: str, orders: tuple[int, ...], base: tuple[Polynomial, ...], size: Series
+    ) -> Series:
+        """Return a term of a Taylor series: a derivative applied to powers of steps."""
+        return size.times(self._derivative_at(name, orders, base))
 
     def _monomials(
         self, steps: list[Series], known: int
@@ -510,6 +532,16 @@ class Jets:
     def place(self, which: Variable) -> tuple[Expr, ...]:
         """Return the point at which a derivative is taken."""
         return tuple(map(self.expression, self.bases[which]))
+
+    def letters(self, which: Variable) -> list[str]:
+        """Return names for the arguments of a function: t and y for f(t, y(t))."""
+        names = [
+            e.args[0] if e.op == "symbol" else e.args[0].args[0] if e.op == "unknown" else ""
+            for e in self.place(which)
+        ]
+        clear = all(len(n) == 1 for n in names) and len({*names, which.name}) == len(names) + 1
+        count = range(1, len(names) + 1)
+        return names if clear else [f"u{k}" if len(names) > 1 else "s" for k in count]
 
     def used(self, p: Polynomial) -> list[Variable]:
         """Return the derivatives and parameters in a coefficient."""

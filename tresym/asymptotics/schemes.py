@@ -23,6 +23,7 @@ from math import factorial, prod
 from flint import fmpq
 
 from tresym.asymptotics.jets import Jets, Polynomial, Series, UnreadError, Variable
+from tresym.asymptotics.systems_of_jets import SystemJets
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.readable_witnesses import constants_hold
 from tresym.reals.decisions.statement import Statement, functions
@@ -79,7 +80,9 @@ def _decide(claim: Comparison, statement: Statement) -> Answer:
     found = _known(jets, scheme, least)
     if not found.terms:
         further = FURTHER_OF_SOLUTIONS if _grows(jets, scheme) else FURTHER
-        return Answer(Verdict.PROVED, _proved(jets, scheme, least, p + further + 1), lemma=LEMMA)
+        why = _proved(jets, scheme, least, p + further + 1)
+        systems = _of_systems(scheme, statement, least) if jets.rules else ""
+        return Answer(Verdict.PROVED, why + systems, lemma=LEMMA)
     q = found.first
     error = f"the error is {_term(jets, found.terms[q], q)}"
     example = _Counterexample.of(jets, found.terms[q], statement)
@@ -152,6 +155,21 @@ def _proved(jets: Jets, scheme: Expr, least: int, most: int) -> str:
     return f"{where}, by Taylor's theorem with remainder: {error}"
 
 
+def _of_systems(scheme: Expr, statement: Statement, least: int) -> str:
+    """Return whether the order holds for systems of equations too; empty if that is not known."""
+    assert statement.path is not None
+    jets = SystemJets(statement.path.name, statement.equations)
+    try:
+        found = _known(jets, scheme, least)
+        if not found.terms:
+            return "; also for systems of equations" if jets.has_trees else ""
+        term = jets.spoken(found.terms[found.first])
+    except UnreadError:
+        return ""
+    q = _power(symbol(jets.h), found.first)
+    return f"; but for systems of equations the error is of order {q}: {term} does not cancel"
+
+
 def _power(base: Expr, n: int) -> Expr:
     return ONE if n == 0 else power(base, number(n))
 
@@ -174,21 +192,9 @@ def _is_plain(jets: Jets, which: Variable) -> bool:
 
 def _index_name(jets: Jets, which: Variable) -> str:
     """Return f_ty for the derivative of f(t, y) by t and y, at a point such as (t, y(t))."""
-    letters = _arguments(jets, which)
+    letters = jets.letters(which)
     index = "".join(letter * n for letter, n in zip(letters, which.orders, strict=True))
     return f"{which.name}_{index}" if index else which.name
-
-
-def _arguments(jets: Jets, which: Variable) -> list[str]:
-    """Return names for the arguments of a function: t and y for f(t, y(t))."""
-    heads = [e.args[0] if e.op == "symbol" else e for e in jets.place(which)]
-    names = [
-        e if isinstance(e, str) else e.args[0].args[0] if e.op == "unknown" else "" for e in heads
-    ]
-    clear = all(len(name) == 1 for name in names) and len({*names, which.name}) == len(names) + 1
-    return (
-        names if clear else [f"u{k}" if len(names) > 1 else "s" for k in range(1, len(names) + 1)]
-    )
 
 
 class _Counterexample:
@@ -246,7 +252,7 @@ class _Counterexample:
                 if self.values[v] or not marks:
                     yield f"{name}{marks}({at}) = {self.values[v]}"
             return
-        letters = _arguments(self.jets, own[0])
+        letters = self.jets.letters(own[0])
         steps = [symbol(x) - b for x, b in zip(letters, place, strict=True)]
         terms = [
             multiply(
