@@ -25,6 +25,8 @@ from typing import Any
 
 from flint import arb, fmpq
 
+from tresym.checking.extremum_claims import decide_extremum
+from tresym.checking.motion_claims import decide_conserved, decide_equilibrium
 from tresym.reals.cross_check import somewhere
 from tresym.reals.decisions.answer import Answer, Obligation, refuted, worst
 from tresym.reals.decisions.claim_parsing import statement_of
@@ -63,6 +65,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import NEGATED, Compared, chained
+from tresym.reals.language.named_claims import Conserved, Equilibrium, Extremum
 from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -131,6 +134,12 @@ class _Deciding:
             return self.shape(formula)
         if isinstance(formula, Somewhere):
             return self.somewhere(formula)
+        if isinstance(formula, Conserved):
+            return decide_conserved(formula, self.asked)
+        if isinstance(formula, Equilibrium):
+            return decide_equilibrium(formula, self.asked)
+        if isinstance(formula, Extremum):
+            return decide_extremum(formula, self.asked)
         return self.check(statement_of(formula))
 
     def asked(self, link: Compared, given: Iterable[Compared], path: Path | None = None) -> Answer:

@@ -69,8 +69,8 @@ from tresym.reals.language.compound import (
     Count,
     Formula,
     Leaf,
-    Shape,
     Together,
+    bound_names,
     comparisons_of,
     is_compound,
     leaves,
@@ -1177,7 +1177,7 @@ class _Reader:
             self._uses(line, tree, bound)
         names = frozenset().union(*map(symbols, trees), (v.name for v in values))
         self._need_known(names - {INFINITY.args[0], DOTS.args[0], INTEGERS.args[0]}, bound)
-        for name in (part.name for part in parts if isinstance(part, Count | Shape)):
+        for name in (name for part in parts for name in bound_names(part)):
             if name in self.definitions:
                 at = self.definitions[name].line
                 raise InputError(f"{name} is defined on line {at}: use another letter here")
@@ -1193,8 +1193,8 @@ class _Reader:
 
         formula = under(formula, found)
         if put := {value.name: expanded(value.value, self.definitions) for value in values}:
-            if any(name in put for name in bound):
-                raise InputError("the unknown of an equation that is counted has no fixed value")
+            if any(name in put for part in parts for name in bound_names(part)):
+                raise InputError("a variable that a claim names as its own has no fixed value")
             if not any(_is_differentiated(part) for part in leaves(formula)):
                 formula = mapped(formula, lambda e: substitute(e, put))
                 formula = under(formula, lambda part: tuple(

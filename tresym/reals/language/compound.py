@@ -4,9 +4,10 @@ A claim is a comparison, or several of them joined by words. ``cos(x) <= 1 and s
 both, ``exp(x) == 1 <=> x == 0`` that each follows from the other, ``at most one x in (0, 1): x**3
 == a`` counts the solutions, and ``increasing(exp(x), x)`` speaks of all pairs of points. A vector
 equation ``(x, y) == (f, g)`` claims its components, and ``at some point: x**2 == 2`` that such a
-point exists. ``and`` binds more strongly than ``<=>``; what is said after ``given``, ``as`` or
-``on`` belongs to the whole claim, and to one part where brackets enclose both: ``(1/x > 0 given x >
-0) and (1/x < 0 given x < 0)``.
+point exists. Claims about extrema and motions are read by
+:mod:`tresym.reals.language.named_claims`. ``and`` binds more strongly than ``<=>``; what is said
+after ``given``, ``as`` or ``on`` belongs to the whole claim, and to one part where brackets enclose
+both: ``(1/x > 0 given x > 0) and (1/x < 0 given x < 0)``.
 """
 
 from __future__ import annotations
@@ -28,6 +29,18 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import Compared, chained
+from tresym.reals.language.named_claims import (
+    WORDS,
+    Conserved,
+    Extremum,
+    Named,
+    begins_named,
+    named_in_latex,
+    named_text,
+    names_of,
+    read_named,
+    sides_of,
+)
 from tresym.reals.language.parsing import as_written
 from tresym.reals.language.paths import Path
 from tresym.reals.language.typesetting import expression_in_latex, to_latex
@@ -49,7 +62,7 @@ _LATEX_WORDS = (
 )
 _HINT = re.compile(
     r"<=>|[⟺⇔∧]|\\iff|eftrightarrow|\\land|\\wedge|\b(?:and|iff)\b|&&|\bone\b|\bsome\s+point\b|"
-    rf"\b(?:{'|'.join(SHAPES)})\b|^\s*\(|\(\s*\("
+    rf"\b(?:{'|'.join(SHAPES)})\b|^\s*\(|\(\s*\(|{WORDS}"
 )
 """What a claim must contain to be made of others."""
 _EQUIVALENT = r"<=>|\biff\b"
@@ -124,7 +137,7 @@ class Somewhere(NamedTuple):
     given: tuple[Compared, ...]
 
 
-Leaf: TypeAlias = Written | Count | Shape | Somewhere
+Leaf: TypeAlias = Written | Count | Shape | Somewhere | Named
 Formula: TypeAlias = Leaf | Together | Equivalent
 
 
@@ -213,10 +226,17 @@ def claimed(claim: str, given: str, path: str | None) -> list[tuple[Written, tup
     whole = read_compound(claim, given, path)
     found: list[tuple[Written, tuple[str, ...]]] = []
     for leaf in () if whole is None else leaves(whole.formula):
-        counted = () if isinstance(leaf, Written | Somewhere) else (leaf.name,)
+        counted = bound_names(leaf)
         own = leaf if isinstance(leaf, Written) else Written(comparisons_of(leaf), leaf.given, None)
         found.append((own, counted))
     return found
+
+
+def bound_names(leaf: Leaf) -> tuple[str, ...]:
+    """The variables that a part names as its own: an unknown, those of a function or a motion."""
+    if isinstance(leaf, Named):
+        return names_of(leaf)
+    return () if isinstance(leaf, Written | Somewhere) else (leaf.name,)
 
 
 def leaves(formula: Formula) -> Iterator[Leaf]:
@@ -234,6 +254,8 @@ def comparisons_of(leaf: Leaf) -> tuple[Compared, ...]:
         return leaf.comparisons
     if isinstance(leaf, Count):
         return (leaf.equation, (leaf.low, "<", leaf.high))
+    if isinstance(leaf, Named):
+        return sides_of(leaf)
     return ((leaf.function, "==", leaf.function),)
 
 
@@ -263,9 +285,21 @@ def mapped(formula: Formula, change: Callable[[Expr], Expr]) -> Formula:
         return formula._replace(function=change(formula.function), given=links(formula.given))
     if isinstance(formula, Somewhere):
         return Somewhere(links(formula.comparisons), links(formula.given))
+    if isinstance(formula, Named):
+        return _mapped_named(formula, changed)._replace(given=links(formula.given))
     return formula._replace(
         comparisons=links(formula.comparisons), given=links(formula.given), on=links(formula.on)
     )
+
+
+def _mapped_named(claim: Named, change: Callable[[Expr], Expr]) -> Named:
+    if isinstance(claim, Extremum):
+        return claim._replace(function=change(claim.function), value=change(claim.value))
+    rates = tuple(map(change, claim.rates))
+    if isinstance(claim, Conserved):
+        return claim._replace(function=change(claim.function), rates=rates)
+    by = None if claim.by is None else change(claim.by)
+    return claim._replace(point=tuple(map(change, claim.point)), rates=rates, by=by)
 
 
 class _Around(NamedTuple):
@@ -325,6 +359,10 @@ def _part(text: str, around: _Around) -> Formula:
         return Somewhere(some.comparisons, some.given)
     if match := _IN_WORDS.match(text):
         return _shape(match[2], match[1], match[3], around)
+    if begins_named(text):
+        if around.shared.path is not None or around.uniformly:
+            raise InputError("what is said of a function or a motion as a whole has no path")
+        return read_named(text, (*around.shared.given, *around.shared.on))
     if encloses(text) and split(inner := text[1:-1], _RELATION)[1:]:
         return _bracketed(inner, around)
     components = _components(text)
@@ -446,7 +484,7 @@ def _is_made_of_others(head: str) -> bool:
         or (_SHAPE.match(text) and not split(text, _RELATION)[1:])
     ):
         return True
-    if _IN_WORDS.match(text):
+    if _IN_WORDS.match(text) or begins_named(text):
         return True
     if encloses(text) and split(text[1:-1], _RELATION)[1:]:
         return _is_made_of_others(_cut(text[1:-1])[0])
@@ -505,6 +543,10 @@ def shown(formula: Formula, whole: Compound) -> str:
         text = f"{formula.how}({formula.function}, {formula.name})"
         own = tuple(c for c in formula.given[len(whole.given) :] if c not in whole.on)
         return f"({text} given {chained(own)})" if own else text
+    if isinstance(formula, Named):
+        text = named_text(formula)
+        own = tuple(c for c in formula.given[len(whole.given) :] if c not in whole.on)
+        return f"({text} given {chained(own)})" if own else text
     own = formula.given[len(whole.given) :]
     if isinstance(formula, Somewhere):
         text = f"at some point: {chained(formula.comparisons)}"
@@ -543,6 +585,8 @@ def formula_in_latex(formula: Formula, shared: int = 0, path: str | None = None)
         name = expression_in_latex(symbol(formula.name))
         function = expression_in_latex(formula.function)
         return rf"{function} \text{{ is {formula.how} in }} {name}{under_own}"
+    if isinstance(formula, Named):
+        return named_in_latex(formula) + under_own
     if isinstance(formula, Somewhere):
         return rf"\text{{at some point }} {to_latex(formula.comparisons)}{under_own}"
     tends = formula.path if str(formula.path) != path else None
