@@ -1,16 +1,20 @@
-"""The proofs: one module for each part of the paper, in its order. Read from top to bottom."""
+"""The proofs: one file for each part of the paper, in its order. Read from top to bottom.
+
+A part is a file of claims, ``slope.tresym``, or a module of Python, ``separatrix.py``. What a file
+states is asked for as ``from tresym.proofs import slope``, and then ``slope.d51``.
+"""
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
-    from types import ModuleType
     from typing import Any
 
     from tresym.ledger.claim import Claim
-    from tresym.ledger.paper import Correction, Notation, Paper
+    from tresym.ledger.paper import Correction, Notation
 
 PARTS = (
     "model",
@@ -51,6 +55,9 @@ PARTS = (
     "promises",
 )
 
+FORMULAS = {"printed_formulas": "printed", "stable_formulas": "stable"}
+"""Names under which files use the formulas of the programs, with their modules."""
+
 NOT_MATHEMATICS = {
     "not_elementary": "what functions are elementary is said of formulas, and none says it",
     "said_in_section_3": "on which lines of the source a section stands: two numbers are compared",
@@ -60,33 +67,66 @@ NOT_MATHEMATICS = {
 
 
 def parts(names: tuple[str, ...] = PARTS) -> tuple[tuple[str, tuple[Claim, ...]], ...]:
-    """Return for each module its title (first line of its docstring) and the claims it states."""
+    """Return for each part its title and the claims it states.
+
+    The title of a module of Python is the first line of its docstring.
+    """
     import sys
     from importlib import import_module
 
-    modules = [import_module(f"tresym.proofs.{part}") for part in names]
+    found = {part: _file(part) or import_module(f"tresym.proofs.{part}") for part in names}
     # The file that states a claim is done before any that takes it from there, whatever the order
     # of the parts; `sys.modules` has them in the order in which they were done.
-    done = {name: n for n, name in enumerate(sys.modules)}
+    done = {name.rpartition(".")[2]: n for n, name in enumerate(sys.modules) if "proofs" in name}
     stated: dict[Claim, str] = {}
-    for module in sorted(modules, key=lambda m: done[m.__name__]):
-        for claim in _named_in(module):
-            stated.setdefault(claim, module.__name__)
+    for part in sorted(found, key=lambda part: done.get(part, -1)):
+        for claim in _named_in(found[part]):
+            stated.setdefault(claim, part)
     return tuple(
         (
-            (module.__doc__ or module.__name__).strip().splitlines()[0].rstrip("."),
-            tuple(c for c in _named_in(module) if stated[c] == module.__name__),
+            _title(module).strip().splitlines()[0].rstrip("."),
+            tuple(c for c in _named_in(module) if stated[c] == part),
         )
-        for module in modules
+        for part, module in found.items()
     )
 
 
-def _named_in(module: ModuleType) -> dict[Claim, None]:
-    """Yield the claims that a module names, its own and imported ones, in order."""
+def _title(part: Any) -> str:
+    return str(getattr(part, "title", "") or part.__doc__ or part.__name__)
+
+
+def _named_in(part: Any) -> dict[Claim, None]:
+    """Yield the claims that a module names, its own and imported ones, or those of a file."""
+    from types import ModuleType
+
     from tresym.ledger.claim import Claim
 
-    several = (v if isinstance(v, tuple) else (v,) for v in vars(module).values())
+    named = vars(part) if isinstance(part, ModuleType) else part.claims
+    several = (v if isinstance(v, tuple) else (v,) for v in named.values())
     return dict.fromkeys(v for vs in several for v in vs if isinstance(v, Claim))
+
+
+@cache
+def _file(part: str) -> Any:
+    """The part that a file states; None if there is no such file."""
+    from pathlib import Path
+
+    path = Path(__file__).parent / f"{part}.tresym"
+    if not path.is_file():
+        return None
+    from tresym.papers.ledger_claims import read_part
+
+    return read_part(path, _values_of)
+
+
+def _values_of(part: str) -> Mapping[str, Any]:
+    """What another part of the paper names, or the formulas that programs run."""
+    from importlib import import_module
+
+    if part in FORMULAS:
+        return vars(import_module(f"tresym.racket.formulas.{FORMULAS[part]}"))
+    file = _file(part)
+    return vars(import_module(f"tresym.proofs.{part}")) if file is None else file.values
 
 
 def written_in(labels: Iterable[str]) -> tuple[str, ...]:
@@ -95,11 +135,14 @@ def written_in(labels: Iterable[str]) -> tuple[str, ...]:
     from pathlib import Path
 
     words = "|".join(map(re.escape, labels))
-    stands = re.compile(rf"^(?:{words})\b|label=\"(?:{words})\"", re.MULTILINE)
+    stands = re.compile(rf"^(?:let |assume )?(?:{words})\b|label=\"(?:{words})\"", re.MULTILINE)
     folder = Path(__file__).parent
-    return tuple(
-        part for part in PARTS if stands.search((folder / f"{part}.py").read_text("utf-8"))
-    )
+    files = {part: folder / f"{part}.tresym" for part in PARTS}
+    texts = {
+        part: (path if path.is_file() else folder / f"{part}.py").read_text("utf-8")
+        for part, path in files.items()
+    }
+    return tuple(part for part in PARTS if stands.search(texts[part]))
 
 
 def _corrections() -> tuple[Correction, ...]:
@@ -153,8 +196,13 @@ def _enclosed(a: Any, b: Any) -> tuple[str, str]:
     return between(a, b)
 
 
-def __getattr__(name: str) -> Paper:
-    """Make ``PAPER`` when it is first asked for, since it loads the ledger and SymPy."""
+def __getattr__(name: str) -> Any:
+    """Make ``PAPER`` when it is first asked for, since it loads the ledger and SymPy.
+
+    The parts that are files of claims are read when they are first asked for.
+    """
+    if name in PARTS and (part := _file(name)) is not None:
+        return part
     if name != "PAPER":
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from pathlib import Path

@@ -9,6 +9,7 @@
 
 from __future__ import annotations
 
+from tresym.proofs import slope
 from tresym.proofs.axioms import IMPLICIT_FUNCTION
 from tresym.proofs.conditions import defect, shape
 from tresym.proofs.implicit_function import (
@@ -28,7 +29,6 @@ from tresym.proofs.orders import (
     u_exponentially_small,
 )
 from tresym.proofs.separatrix import flip_defect
-from tresym.proofs.slope import d51
 from tresym.proofs.turn_integral import d53, eq_depsdgamma_form, slope_of_turn
 
 from tresym.ledger.vocabulary import *
@@ -135,7 +135,7 @@ logarithm_stays = Claim(
 )
 
 more_difficult = Claim(
-    **jointly(d51, slope_of_turn, logarithm_stays),
+    **jointly(slope.d51, slope_of_turn, logarithm_stays),
     where=line(407),
     note="Difficult is read as: needs an integration, and more than algebraic functions.",
 )

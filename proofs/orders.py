@@ -20,6 +20,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from tresym.proofs import slope
 from tresym.proofs.asymptotics import (
     DEFECT_SLOPE,
     printed_error,
@@ -53,7 +54,6 @@ from tresym.proofs.near import (
     time_by_b,
 )
 from tresym.proofs.separatrix import flip_defect, one_flip_defect
-from tresym.proofs.slope import d55
 
 from tresym.ledger.evidence.remainders import Remainder
 from tresym.ledger.vocabulary import *
@@ -365,7 +365,7 @@ eq_epsilon_gen = Claim(
         ("b", "kappa", "v"),
         "ab >= 1/4, 0 < b <= 1, |gamma| <= b epsilon0^2",
         as_rational("2"),
-        (one_flip_defect, logarithmic_equation, d55, slope_by_phase, *fourth_moment),
+        (one_flip_defect, logarithmic_equation, slope.d55, slope_by_phase, *fourth_moment),
         certificate("eq_epsilon_gen"),
         meant=Meant(
             in_bent_chart(),

@@ -31,7 +31,7 @@ from tresym.ledger.conversion import Conditions, formula, tree
 from tresym.ledger.conversion import conditions as relations
 from tresym.ledger.counterexamples import put_in, rules_of
 from tresym.ledger.evidence.chain import check_chain
-from tresym.ledger.paper import all_claims
+from tresym.ledger.paper import all_claims, racket
 from tresym.ledger.verification import Report, graph, verify
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import derivative
@@ -61,6 +61,8 @@ def test_a_claim_is_listed_where_it_is_stated() -> None:
     """By the file that assigns it: one that only imports it does not state it."""
     stated = dict(zip(proofs.PARTS, (claims for _, claims in proofs.parts()), strict=True))
     for part, claims in stated.items():
+        if racket().source_of(part).suffix != ".py":
+            continue
         source = Path(str(importlib.import_module(f"tresym.proofs.{part}").__file__))
         tree = ast.parse(source.read_text(encoding="utf-8"))
         froms = [node for node in tree.body if isinstance(node, ast.ImportFrom)]

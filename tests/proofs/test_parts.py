@@ -6,11 +6,12 @@ import pytest
 from tresym.proofs import PARTS, parts
 
 from tresym.ledger.claim import Claim
+from tresym.ledger.paper import racket
 
 STATED = dict(zip(PARTS, (claims for _, claims in parts()), strict=True))
 
 
-@pytest.mark.parametrize("part", PARTS)
+@pytest.mark.parametrize("part", [p for p in PARTS if racket().source_of(p).suffix == ".py"])
 def test_each_display_is_named_in_the_docstring_of_its_part(part: str) -> None:
     module = import_module(f"tresym.proofs.{part}")
     names = {value: name for name, value in vars(module).items() if isinstance(value, Claim)}

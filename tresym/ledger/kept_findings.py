@@ -90,7 +90,8 @@ def kept_findings(folder: Path | None, wanted: bool = True) -> Iterator[KeptFind
 def _hash_of(folder: Path) -> bytes:
     """A hash of what a paper's claims can depend on: its modules and the data beside them."""
     found = hashlib.sha256()
-    files = (p for p in folder.rglob("*") if p.suffix in {".py", ".json", ".txt", ".notes"})
+    kinds = {".py", ".tresym", ".json", ".txt", ".notes"}
+    files = (p for p in folder.rglob("*") if p.suffix in kinds)
     for path in sorted(files):
         text = path.read_bytes()
         found.update(f"{path.relative_to(folder)}\0{len(text)}\0".encode() + text)

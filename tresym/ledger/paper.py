@@ -140,6 +140,11 @@ class Paper:
             raise InputError(f"{self.name}: this paper has no folder for {name}")
         return self.folder / name
 
+    def source_of(self, module: str) -> Path:
+        """Return the path of the file in which the claims of a module are written."""
+        path = self.file_of(f"{module}.tresym")
+        return path if path.is_file() else self.file_of(f"{module}.py")
+
     @cached_property
     def index(self) -> dict[str, Any]:
         """The displays, theorems, tables, figures and sections of the paper's source."""

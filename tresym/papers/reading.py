@@ -134,7 +134,7 @@ _DECLARED = re.compile(
 )
 _AND_GIVEN = re.compile(r";\s*(?:given\s)?")
 _GIVEN = re.compile(r"given\s+(.+)")
-_DEFINED = re.compile(rf"({_NAME})\s*(?:\(([^()]*)\))?\s*:=\s*(.*)")
+DEFINED = re.compile(rf"({_NAME})\s*(?:\(([^()]*)\))?\s*:=\s*(.*)")
 _DRAWN = re.compile(r"(table|chart)\s+([A-Za-z][\w-]*)\s*(?::\s*(.*))?")
 _CLAIM = re.compile(r"([A-Za-z][\w-]*)(?:\s*\((\w[\w.]*)\)|\s*\[([^\]]*)\])?\s*:(?!=)\s*(.*)")
 _OTHER_LABEL = re.compile(
@@ -469,7 +469,7 @@ class OwnPaper:
             label = label if label in self.claims else label_of(label)
             if label not in self.claims:
                 raise InputError(
-                    f"{self.name}: no claim is labelled {label}{_near(label, self.claims)}"
+                    f"{self.name}: no claim is labelled {label}{near(label, self.claims)}"
                 )
             found.append(self.claims[label])
         return tuple(found) or tuple(self.claims.values())
@@ -527,14 +527,14 @@ def read_paper(
         >>> list(found.claims), [problem.line for problem in found.problems]
         (['square'], [3])
     """
-    return _Reader(name, folder, files).read(text)
+    return Reader(name, folder, files).read(text)
 
 
 class _OneNameError(InputError):
     """One name of a declaration is refused; the others are declared."""
 
 
-class _Reader:
+class Reader:
     """Read the lines of a file from top to bottom; what is declared holds from there on."""
 
     def __init__(self, name: str, folder: Path | None = None, files: tuple[str, ...] = ()) -> None:
@@ -581,7 +581,7 @@ class _Reader:
         return OwnPaper(self.name, title, tuple(self.items), problems, self.header)
 
     def _problem(self, line: int, statement: str, message: str, text: str) -> None:
-        match = _DEFINED.fullmatch(statement) or _CLAIM.match(statement)
+        match = DEFINED.fullmatch(statement) or _CLAIM.match(statement)
         names = [match[1]] if match else []
         if declared := _DECLARED.fullmatch(statement) or _GIVEN.fullmatch(statement):
             names = _WORD.findall(declared[0])
@@ -608,7 +608,7 @@ class _Reader:
             if isinstance(item, Drawn) and item.label not in self.claims:
                 self.items.remove(item)
                 if item.label not in self.failed:
-                    why = f"no claim is labelled {item.label}{_near(item.label, self.claims)}"
+                    why = f"no claim is labelled {item.label}{near(item.label, self.claims)}"
                     self._problem(item.line, item.label, f"{item.kind}: {why}", text)
 
     def _statement(self, line: int, text: str) -> None:
@@ -628,7 +628,7 @@ class _Reader:
             self._declare(line, match[1], match[2], match[3] or "")
         elif match := _GIVEN.fullmatch(text):
             self._conditions(line, (), "", match[1])
-        elif match := _DEFINED.fullmatch(text):
+        elif match := DEFINED.fullmatch(text):
             self._define(line, match[1], match[2], match[3])
         elif match := _DRAWN.fullmatch(text):
             self.items.append(_drawn(line, match[1], match[2], match[3] or ""))
@@ -722,7 +722,7 @@ class _Reader:
                 raise InputError(f"{name} stands on line {self.failed[name]}, which is not read")
             if name not in known and not _USUAL.fullmatch(name) and name.rstrip("_") not in GREEK:
                 raise InputError(
-                    f"{name} is not declared{_near(name, known)}: write the line '{name} real' "
+                    f"{name} is not declared{near(name, known)}: write the line '{name} real' "
                     f"above, or write * between the factors of a product"
                 )
 
@@ -843,7 +843,7 @@ class _Reader:
         for used in uses:
             if used not in self.claims:
                 raise InputError(
-                    f"no claim above this line is labelled '{used}'{_near(used, self.claims)}"
+                    f"no claim above this line is labelled '{used}'{near(used, self.claims)}"
                 )
         instead = tuple(filter(None, map(str.strip, clauses.get("instead", "").split(","))))
         for other in instead:
@@ -894,7 +894,7 @@ class _Reader:
         made: dict[str, Definition] = {}
         given: list[Compared] = []
         for part in (part.strip() for part in split(written, ",")):
-            match = _DEFINED.fullmatch(part)
+            match = DEFINED.fullmatch(part)
             with self._within([Let(line, label, tuple(made.values()), ())]):
                 if match is None:
                     links = parse_given(plain(self._called(part)))
@@ -1008,7 +1008,7 @@ class _Reader:
         for name in names:
             if name not in other.definitions and name not in other.claims:
                 known = [*other.definitions, *other.claims]
-                raise InputError(f"{name} is not in {file}.tresym{_near(name, known)}")
+                raise InputError(f"{name} is not in {file}.tresym{near(name, known)}")
             self._take(line, name, other)
 
     def _take(self, line: int, name: str, other: OwnPaper) -> None:
@@ -1481,7 +1481,7 @@ def _drawn(line: int, kind: str, label: str, text: str) -> Drawn:
     return Drawn(line, kind, label, tuple(at), digits)
 
 
-def _near(word: str, known: Iterable[str]) -> str:
+def near(word: str, known: Iterable[str]) -> str:
     close = get_close_matches(word, list(known), 1)
     return f" (did you mean {close[0]}?)" if close else ""
 

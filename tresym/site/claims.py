@@ -223,7 +223,7 @@ def _named_as(label: str, claim: Record) -> str:
     file, first, last = at["file"], at["first"], at["last"]
     return (
         f"{names} · "
-        f'<a href="../proofs/{file.removesuffix(".py")}.html#L-{first}">'
+        f'<a href="../proofs/{file.rpartition(".")[0]}.html#L-{first}">'
         f"proofs/{file}, lines {first} to {last}</a> · "
         f'<a href="{label}.json">formula as data</a>'
     )

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from pygments import highlight
 from pygments.formatters import HtmlFormatter
-from pygments.lexers import PythonLexer
+from pygments.lexers import PythonLexer, TextLexer
 
 from tresym.ledger.paper import racket
 
@@ -30,12 +30,14 @@ def pages() -> Iterator[tuple[str, str]]:
     )
     style = look.get_style_defs(".highlight")
     for module in paper.modules:
-        text = paper.file_of(f"{module}.py").read_text(encoding="utf-8")
+        path = paper.source_of(module)
+        text = path.read_text(encoding="utf-8")
+        lexer = PythonLexer() if path.suffix == ".py" else TextLexer()
         yield (
             f"{module}.html",
             f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
             f'<meta name="viewport" content="width=device-width">'
-            f"<title>proofs/{module}.py</title><style>{style}{STYLE}</style></head>\n"
+            f"<title>proofs/{path.name}</title><style>{style}{STYLE}</style></head>\n"
             f'<body><p><a href="../claims/index.html">the ledger</a></p>'
-            f"<h1>proofs/{module}.py</h1>\n{highlight(text, PythonLexer(), look)}</body></html>\n",
+            f"<h1>proofs/{path.name}</h1>\n{highlight(text, lexer, look)}</body></html>\n",
         )

@@ -6,13 +6,13 @@ import mpmath
 import pytest
 import sympy
 from flint import fmpq
-from in_sympy import to_sympy
 
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.power_series import decide_power_series
 from tresym.reals.decisions.theorems import POWER_SERIES, TABLES, Theorem
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
+from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.verdict import Verdict
 
 ENTRIES = [(key, row) for key, table in TABLES.items() for row in table]

@@ -4,7 +4,6 @@ import pytest
 from flint import arb
 from hypothesis import given
 from hypothesis import strategies as st
-from in_sympy import to_sympy
 from sympy import I, latex, nan, zoo
 
 from tresym.reals.domain.conditions import Given
@@ -26,6 +25,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.latex import read_expression, read_latex
 from tresym.reals.language.latex_author import Author
 from tresym.reals.language.parsing import as_written
+from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.language.typesetting import to_latex
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError

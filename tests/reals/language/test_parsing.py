@@ -7,7 +7,6 @@ import pytest
 from cases import cases
 from hypothesis import given
 from hypothesis import strategies as st
-from in_sympy import to_sympy
 
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import at, derivative, integral, limit, order
@@ -26,6 +25,7 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.parsing import as_written, parse, parse_given
 from tresym.reals.language.sympy import from_sympy
+from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.numbers.exact import InputError
 
 HOSTILE = [

@@ -4,13 +4,13 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from in_sympy import to_sympy
 
 from tresym.reals.language.binders import at, derivative, integral, limit, order, ordered
 from tresym.reals.language.expression import FUNCTIONS, apply, number, substitute, symbol
 from tresym.reals.language.formula import Conjunction, Equivalence, Relation
 from tresym.reals.language.parsing import parse
 from tresym.reals.language.sympy import formula, from_sympy, unworked
+from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.numbers.exact import InputError
 
 x, y = sp.symbols("x y", real=True)

@@ -9,7 +9,6 @@ from flint import arb, fmpq
 from hypothesis import given as over
 from hypothesis import settings
 from hypothesis import strategies as st
-from in_sympy import to_sympy
 
 import tresym
 from tresym.reals.decisions.identity import decide
@@ -19,6 +18,7 @@ from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import angle, number, substitute
 from tresym.reals.language.parsing import parse
 from tresym.reals.language.sympy import from_sympy
+from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.normal.field import Field
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.signs.sign import sign

@@ -25,11 +25,11 @@ from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 from flint import fmpq
-from sympy import Basic, Rational, S, Symbol, Tuple, oo
+from sympy import Basic, Eq, Rational, S, Symbol, Tuple, oo
 from sympy import Expr as Expression
 
 from tresym.checking.dispatch import decide_claim
-from tresym.ledger.claim import Claim, parts_of
+from tresym.ledger.claim import Chain, Claim, Reason, Step, equal, parts_of
 from tresym.ledger.conversion import (
     Conditions,
     Rules,
@@ -108,6 +108,7 @@ class Decided:
         gauge: the gauge of a bound.
         remainder: a `Remainder`: how the order printed in the paper is interpreted; or None.
         also: further claims behind the symbols of the statement.
+        steps: the expressions between the two sides of an equation, each decided to equal the next.
     """
 
     put: tuple[Claim, ...] = ()
@@ -117,12 +118,19 @@ class Decided:
     gauge: Expression = S.One
     remainder: Any = None
     also: tuple[Claim, ...] = field(default=())
+    steps: tuple[Expression, ...] = ()
     expect: ClassVar[Ruling] = Verdict.ENCLOSED
 
     @property
     def claims(self) -> tuple[Claim, ...]:
         """The claims that the evidence uses."""
         return (*self.put, *self.cited, *self.also)
+
+    @property
+    def chains(self) -> tuple[Chain, ...]:
+        """The derivation that is printed: the steps, with the claims whose equations are put in."""
+        why = (Reason("substituting", claims=self.put),) if self.put else ()
+        return ((*(Step(e, ()) for e in self.steps), Step(None, why)),) if self.steps or why else ()
 
 
 def judge_decided(claim: Claim, proof: Decided) -> Finding:
@@ -140,7 +148,7 @@ def judge_decided(claim: Claim, proof: Decided) -> Finding:
     here = put_into(given, rules)
     if isinstance(says, As):
         return _order(claim, proof, says, rules, here)
-    relations = list(_relations(says, rules, meant))
+    relations = list(_relations(_by_steps(says, proof.steps), rules, meant))
     need(bool(relations), "the statement contains no relation")
     if proof.constant is not None:
         size = tree(Rational(int(proof.constant.p), int(proof.constant.q)) * proof.gauge)
@@ -155,6 +163,20 @@ def judge_decided(claim: Claim, proof: Decided) -> Finding:
     region = ", ".join(map(str, claim.given)) or None
     found = _found(answers, free and not proof.cited)
     return replace(found, constant=constant, region=region) if found.verdict.holds else found
+
+
+def _by_steps(says: Basic, steps: tuple[Expression, ...]) -> Basic:
+    """Return the equations of a chain, from which the statement follows.
+
+    Raises:
+        NotShownError: the statement is no equation.
+    """
+    if not steps:
+        return says
+    need(isinstance(says, Eq), "only an equation is derived by steps")
+    first, last = says.args
+    between = zip((first, *steps), (*steps, last), strict=True)
+    return Tuple(*(equal(x, y) for x, y in between))
 
 
 def _found(answers: list[Answer], refutes: bool) -> Finding:

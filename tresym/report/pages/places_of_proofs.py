@@ -32,11 +32,24 @@ def lines_of_claims() -> dict[str, Lines]:
 def _lines_of(paper: Paper) -> dict[str, Lines]:
     found: dict[str, Lines] = {}
     for module, (_, claims) in zip(paper.modules, paper.parts(), strict=True):
-        text = paper.file_of(f"{module}.py").read_text(encoding="utf-8")
-        statements = _statements(text)
+        path = paper.source_of(module)
+        text = path.read_text(encoding="utf-8")
+        statements = _statements(text) if path.suffix == ".py" else _lines_of_text(text)
         for claim in claims:
             first, last = _of_claim(claim.label, statements)
-            found[claim.label] = Lines(f"{module}.py", first, last)
+            found[claim.label] = Lines(path.name, first, last)
+    return found
+
+
+def _lines_of_text(text: str) -> list[tuple[str, int, int]]:
+    """The statements of a file of claims, each with the lines that follow without an empty one."""
+    lines = text.splitlines()
+    begin = [n for n, line in enumerate(lines) if line and not line[0].isspace() and line[0] != ">"]
+    found = []
+    for n in begin:
+        end = next((m for m in range(n + 1, len(lines)) if m in begin or not lines[m]), len(lines))
+        said = "\n".join(lines[n:end]).removeprefix("let ").removeprefix("assume ")
+        found.append((said, n + 1, end))
     return found
 
 
@@ -52,7 +65,7 @@ def _statements(text: str) -> list[tuple[str, int, int]]:
 def _of_claim(label: str, statements: list[tuple[str, int, int]]) -> tuple[int, int]:
     """The lines of the statement that names a claim; failing that, those of the whole file."""
     name = re.escape(label)
-    for pattern in (rf"^{name}\b.*=", rf"label=\"{name}\"", rf"\b{name}\b"):
+    for pattern in (rf"^{name}\b.*[=:]", rf"label=\"{name}\"", rf"\b{name}\b"):
         for text, first, last in statements:
             if re.search(pattern, text, re.MULTILINE):
                 return first, last

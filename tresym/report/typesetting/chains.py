@@ -9,8 +9,10 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from sympy import Basic, Derivative, Eq, Equivalent, Tuple
+from sympy.core.relational import Relational
 
 from tresym.ledger.claim import Chain, Claim, Reason, Step, Together, UniqueRoot, chains_of, equal
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.statements import ExactlyOne
 from tresym.reals.functions.table import TABLE, upright
 from tresym.report.typesetting.latex import bracketed, expression_latex, says_latex
@@ -66,6 +68,12 @@ def _shown(claim: Claim) -> tuple[Display, ...]:
     if isinstance(proof, Together | tuple):
         return tuple(_lines(part, chain) for part, chain in chains_of(says, proof) or ())
     parts = says.args if isinstance(says, Tuple) else (says,)
+    if (
+        isinstance(proof, Decided)
+        and proof.chains
+        and all(isinstance(part, Relational) for part in parts)
+    ):
+        return tuple(_lines(part, chain) for part in parts for chain in proof.chains)
     return tuple((Line("", says_latex(part)),) for part in parts)
 
 

@@ -1,26 +1,38 @@
-"""Trees as SymPy expressions, to compare the one with the other."""
+"""Convert trees to SymPy's expressions; SymPy is imported only when needed.
+
+``x**2 + 1`` becomes ``Add(Pow(x, 2), 1)`` in the symbol ``x``, which carries the one assumption
+``real``. SymPy brings sums and products into its own order and works out what it works out by
+itself; derivatives, values at a point, integrals and limits stay as they are.
+"""
+
+from __future__ import annotations
 
 from typing import Any
 
 from tresym.reals.functions.table import CONSTANTS, TABLE
-from tresym.reals.language.expression import ORDERS, UNWORKED, Expr, opened
+from tresym.reals.language.expression import ORDERS, UNWORKED, Expr, instantiate, opened, symbol
+from tresym.reals.numbers.exact import InputError
 
 
 def to_sympy(e: Expr) -> Any:
-    """The tree as a SymPy expression; symbols carry the assumption ``real``."""
+    """Return a tree as a SymPy expression in real symbols.
+
+    Raises:
+        InputError: SymPy has no such expression, as for the root of an equation.
+    """
     import sympy
 
     done: dict[Expr, Any] = {}
 
     def walk(node: Expr) -> Any:
         if node not in done:
-            done[node] = _to_sympy_node(sympy, node, walk)
+            done[node] = _node(sympy, node, walk)
         return done[node]
 
     return walk(e)
 
 
-def _to_sympy_node(sympy: Any, node: Expr, walk: Any) -> Any:
+def _node(sympy: Any, node: Expr, walk: Any) -> Any:
     if node.op == "number":
         return sympy.Rational(int(node.args[0].p), int(node.args[0].q))
     if node.op == "symbol":
@@ -28,7 +40,7 @@ def _to_sympy_node(sympy: Any, node: Expr, walk: Any) -> Any:
     if node.op == "pi":
         return sympy.pi
     if node.op in UNWORKED:
-        return _unworked_to_sympy(sympy, node, walk)
+        return _unworked(sympy, node, walk)
     args = [walk(arg) for arg in node.args]
     if node.op == "+":
         return sympy.Add(*args)
@@ -40,12 +52,17 @@ def _to_sympy_node(sympy: Any, node: Expr, walk: Any) -> Any:
         return sympy.sign(args[0]) * sympy.Abs(args[0]) ** sympy.Rational(1, 3)
     if node.op in CONSTANTS:
         return getattr(sympy, node.op)
+    if node.op not in TABLE:
+        raise InputError(f"'{node}' is no expression of SymPy")
     return getattr(sympy, TABLE[node.op].sympy)(*args)
 
 
-def _unworked_to_sympy(sympy: Any, node: Expr, walk: Any) -> Any:
+def _unworked(sympy: Any, node: Expr, walk: Any) -> Any:
     if node.op in ORDERS:
         return sympy.Function(node.op)(walk(node.args[0]))
+    if node.op == "derivative" and node.args[1] == symbol(node.names[0].rstrip("_")):
+        inner = walk(instantiate(node.args[0], (node.args[1],)))
+        return sympy.Derivative(inner, walk(node.args[1]), evaluate=False)
     names, body = opened(node)
     inner, points = walk(body), [walk(arg) for arg in node.args[1:]]
     variables = [sympy.Symbol(name, real=True) for name in names]
@@ -56,4 +73,6 @@ def _unworked_to_sympy(sympy: Any, node: Expr, walk: Any) -> Any:
         return sympy.Limit(inner, variables[0], points[0], side)
     if node.op == "at":
         return sympy.Subs(inner, variables, points)
-    return sympy.Subs(sympy.Derivative(inner, variables[0], evaluate=False), variables, points)
+    if node.op == "derivative":
+        return sympy.Subs(sympy.Derivative(inner, variables[0], evaluate=False), variables, points)
+    raise InputError(f"'{node}' is no expression of SymPy")

@@ -1,0 +1,133 @@
+"""Files of claims as parts of a paper of the ledger: each line is used or refused."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+import sympy
+from sympy import Eq, Gt, Symbol, Tuple, cos, sin, sqrt
+
+from tresym.ledger.claim import AllOf, Definition, Place
+from tresym.ledger.judge import judge
+from tresym.ledger.paper import Paper
+from tresym.ledger.verification import verify
+from tresym.papers.ledger_claims import Part, read_part
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
+
+a, b, x, y, E, S = (Symbol(name, real=True) for name in ("a", "b", "x", "y", "E", "S"))
+
+
+def length(x: Any, y: Any, m: Any) -> Any:
+    return m.sqrt(x**2 + y**2)
+
+
+OTHERS = {"programs": {"length": length, "positive": (Gt(a, 0), Gt(b, 0)), "twice": 2 * x}}
+
+
+def read(folder: Path, text: str) -> Part:
+    path = folder / "part.tresym"
+    path.write_text(text, encoding="utf-8")
+    return read_part(path, OTHERS.__getitem__)
+
+
+def verdicts(part: Part) -> dict[str, str]:
+    paper = Paper("some", lambda *_: ((part.title, tuple(part.claims.values())),))
+    return {row.claim.label: row.finding.verdict.value for row in verify(of=paper).rows}
+
+
+def test_lines_become_claims(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """# Lengths
+use length, positive, twice from programs
+E real
+
+let energy (3): E := x**2/2, x > 0
+Half a square.
+
+sum (4): twice + length(a, 0) == 2*x + a == a + 2*x given positive using energy
+pair [line 12]: (x, sin(y)) == (x, cos(y)) given x > 0 expect refuted at x == 1, y == 0
+> says: Sine and cosine agree.
+> fault: misprint
+both: sum and energy
+""",
+    )
+    assert part.title == "Lengths"
+    energy, total, pair, both = part.claims.values()
+    assert energy.says == Eq(E, x**2 / 2, evaluate=False)
+    assert (energy.given, energy.where, energy.note) == ((x > 0,), Place(3), "Half a square.")
+    assert energy.proof == Definition()
+    assert total.says == Eq(2 * x + sqrt(a**2), a + 2 * x, evaluate=False)
+    assert total.given == (Gt(a, 0), Gt(b, 0))
+    assert total.uses == (energy,)
+    assert pair.means == Tuple(Eq(x, x, evaluate=False), Eq(sin(y), cos(y), evaluate=False))
+    assert pair.says == "Sine and cosine agree."
+    assert (pair.fault.name, pair.where) == ("MISPRINT", Place(line=12))
+    assert isinstance(both.proof, AllOf)
+    assert part.sum is total
+    assert part.lines == {"energy": (5, 6), "sum": (8, 8), "pair": (9, 11), "both": (12, 12)}
+
+
+def test_what_is_declared_is_a_condition_of_what_speaks_of_it(tmp_path: Path) -> None:
+    part = read(tmp_path, "x, y real; given x > y, y > 0\none: x > 0\ntwo: a**2 >= 0")
+    assert part.one.given == (Gt(x, y), Gt(y, 0))
+    assert part.two.given == ()
+    assert verdicts(part) == {"one": "PROVED", "two": "PROVED"}
+
+
+def test_true_lines_hold_and_false_ones_do_not(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """let sign: S := x/abs(x), x != 0
+square: S**2 == 1 given x != 0 using sign
+everywhere: S**2 == 1 using sign
+chain: (a + b)**2 - 2*a*b == a**2 + b**2 == b**2 + a**2
+broken: a**2 == a**2 + b == a**2
+bound: a**2 + 1 > 1 given a > 0
+by_bound: a**2 + 2 > 2 given a > 0 using bound
+too_much: a**2 > 1 given a > 0
+stays: S > 0 using sign
+""",
+    )
+    found = verdicts(part)
+    holds = {"square", "chain", "bound", "by_bound"}
+    assert {label for label, verdict in found.items() if verdict == "PROVED"} == holds
+    assert found["too_much"] == "REFUTED"
+
+
+REFUSED = {
+    "one: x > 0 as x -> oo": "'as' is not read",
+    "one: x > 0 on x > 1": "'on' is not read",
+    "one: x > 0 given other": "other",
+    "one: x > 0 using other": "no claim above this line is labelled 'other'",
+    "one: x > 0\none: x > 1": "label of line 1 already",
+    "let f: f(x) := x": "is a function",
+    "one (a): x > 0": "is not a place",
+    "one: x > 0 at x == 1": "expect refuted",
+    "one: x > 0 expect something": "expect refuted",
+    "x integer\none: x > 0": "'in' is not read",
+    "use nothing from programs": "nothing is not in programs",
+    "one: convex(x**2, x)": "is not read",
+    "one: speed > 0": "speed is not declared",
+    "one: x > 0\n> fault: haste": "is not one of",
+}
+
+
+@pytest.mark.parametrize("text", REFUSED)
+def test_what_is_not_used_is_refused(text: str, tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=REFUSED[text].replace("(", r"\(")):
+        read(tmp_path, text)
+
+
+def test_a_symbol_with_two_definitions_proves_nothing(tmp_path: Path) -> None:
+    part = read(tmp_path, "let one: S := 1\nlet two: S := 2\nfalse: 1 == 2 using one, two")
+    found = {c.label: judge(c, {}) for c in (part.one, part.two)}
+    assert judge(part.claims["false"], found).verdict is Verdict.UNDECIDED
+    with pytest.raises(InputError, match="S is defined by one and by two"):
+        verdicts(part)
+
+
+def test_the_expression_that_is_proved_is_the_one_that_runs(tmp_path: Path) -> None:
+    part = read(tmp_path, "use length from programs\none: length(3, 4*x) >= 0")
+    assert part.one.says.lhs == length(sympy.Integer(3), 4 * x, sympy)

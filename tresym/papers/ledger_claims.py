@@ -1,0 +1,510 @@
+"""Read a file of claims as claims of the ledger, so that a paper may be written in both.
+
+The file ``proofs/slope.tresym`` states the claims of a part of the paper, as a module of Python
+does. It is written as any file of claims (:mod:`tresym.papers.reading`), its claims are those of
+:mod:`tresym.ledger.claim`, and the engine decides them (:mod:`tresym.ledger.evidence.decided`)::
+
+    # Appendix: how the flip defect depends on γ
+    use shape from conditions
+    use sign_of_tilt from flip_dynamics
+    use defect_per_turn from printed_formulas
+
+    let tilt (12): S := cos(theta)/abs(cos(theta)), cos(theta)**2 > 0
+    d51 (51): -1/f(epsilon) == defect_per_turn(epsilon, a, b, S) given shape using sign_of_tilt
+    The derivative by F is taken at γ = 0.
+
+This is how each line is understood:
+
+- ``label (51): …`` stands in display 51 of the paper, ``label [line 320]: …`` on that line of its
+  source. A claim without a place is an auxiliary lemma.
+- ``let name: S := …, condition`` defines symbols of the ledger, under conditions. Its equations are
+  put in where a claim says ``using name``. Without a definition, the line names conditions, which
+  stand after ``given``.
+- ``f(x) := …`` and ``u := …`` are abbreviations: they are put in wherever they stand.
+- ``use x from FILE`` takes claims, conditions or expressions from another part of the paper, be it
+  a file or a module of Python, and functions of formulas that programs run.
+- ``using label, label`` names the claims above on which a claim rests: what is an equation is put
+  in, other comparisons become conditions.
+- In a chain ``a == b == c`` the claim is ``a == c``, and each step is decided by itself.
+- ``one: two and three`` claims again what others claim.
+- ``given x ~= 1.21`` is a printed input, and in ``label: e ~= 0.115`` the number is printed.
+- ``expect refuted at x == 1, y == 2 instead other`` states a falsehood, a point at which it fails,
+  and what is true; ``expect enclosed`` that balls are needed.
+- The lines of prose directly below a claim are its note. Those beginning with ``> says:``,
+  ``> paper:``, ``> shown:``, ``> kind:``, ``> fault:`` and ``> assumed:`` give the sentence whose
+  formula the claim is, what the paper prints, the LaTeX of a formula that is hard to read, the
+  kind, what is wrong with the paper, and what an assumption is called.
+
+To convert a module of Python: write each claim on a line, with the same conditions in the same
+order and the claims that its evidence names after ``using``, and compare. Statement and conditions
+must be equal to those of the module, as SymPy expressions; then everything that is printed stays,
+and the stored proof of Coq is one of the same theorem. Modules that import from the converted one
+ask for it by ``from tresym.proofs import slope`` and write ``slope.d51``.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import sympy
+from sympy import Basic, Eq, Symbol, Tuple
+from sympy import Expr as Expression
+
+from tresym.ledger.claim import (
+    Claim,
+    Counterexample,
+    Definition,
+    Evidence,
+    Fault,
+    Place,
+    Printed,
+    Root,
+    jointly,
+    parts_of,
+)
+from tresym.ledger.conversion import tree
+from tresym.ledger.evidence.decided import Decided
+from tresym.ledger.statements import (
+    AtMostOne,
+    ExactlyOne,
+    ForSome,
+    Rounds,
+    StrictlyDecreasing,
+    StrictlyIncreasing,
+)
+from tresym.papers.definitions import Definition as Abbreviation
+from tresym.papers.reading import DEFINED, OwnPaper, Reader, near
+from tresym.reals.language.brackets import split
+from tresym.reals.language.compound import (
+    Count,
+    Equivalent,
+    Formula,
+    Shape,
+    Somewhere,
+    Together,
+    mapped,
+    read_compound,
+)
+from tresym.reals.language.expression import Expr, substitute, symbol, symbols
+from tresym.reals.language.formula import Compared
+from tresym.reals.language.parsing import as_written, parse_claim, parse_given
+from tresym.reals.language.sympy import RELATIONS
+from tresym.reals.language.to_sympy import to_sympy
+from tresym.reals.language.unicode_input import plain
+from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
+
+OWN = {"E": "E_", "lambda": "lambda_"}
+"""Symbols that the grammar gives another meaning, and what they are called while it reads."""
+_CLASS = {sign: getattr(sympy, name) for name, sign in RELATIONS.items()}
+_COUNTS = {"exactly one": ExactlyOne, "at most one": AtMostOne}
+_SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
+_CLAUSES = ("given", "using", "expect", "at", "instead")
+_REMARK = re.compile(r"(says|paper|shown|kind|fault|assumed)\s*:\s*(.*)", re.DOTALL)
+_PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)\s*")
+_PLACE = re.compile(r"(\d+)|(line|display)\s+(\d+)|cell\s+(.+)")
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a paper that a file states; its claims are attributes, as those of a module.
+
+    Attributes:
+        title: its title.
+        claims: its claims by label, in order.
+        named: its conditions with a name.
+        lines: the first and the last line of each claim in the file, by label.
+    """
+
+    title: str
+    claims: Mapping[str, Claim]
+    named: Mapping[str, tuple[Basic, ...]]
+    lines: Mapping[str, tuple[int, int]]
+
+    @property
+    def values(self) -> Mapping[str, Any]:
+        """Everything that other parts may use, by name."""
+        return {**self.named, **self.claims}
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        try:
+            return self.values[name]
+        except KeyError:
+            raise AttributeError(f"{self.title}: nothing is named {name}") from None
+
+
+def read_part(path: Path, others: Callable[[str], Mapping[str, Any]]) -> Part:
+    """Read a file as a part of a paper.
+
+    Args:
+        path: the file.
+        others: returns what another part of the paper names.
+
+    Raises:
+        InputError: a line that cannot be read.
+
+    Example:
+        >>> import tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     path = Path(folder) / "squares.tresym"
+        ...     _ = path.write_text("square: (a + b)**2 >= 0 given a > 0")
+        ...     read_part(path, lambda name: {}).square
+        Claim(square: (a + b)**2 >= 0)
+    """
+    text = path.read_text(encoding="utf-8")
+    reader = _Reader(path, others, text)
+    found = reader.read(text)
+    if found.problems:
+        first = found.problems[0]
+        raise InputError(f"{path.name}:{first.line}:{first.column}: {first.message}")
+    return Part(found.title, reader.own, reader.named, reader.lines)
+
+
+@dataclass
+class _Waiting:
+    """A claim that was read, until all the prose below it is known."""
+
+    label: str
+    end: int
+    """The last line that belongs to it."""
+    fields: dict[str, Any]
+    note: list[str] = field(default_factory=list)
+
+
+class _Reader(Reader):
+    """Read each line as it is in any file, but make claims of the ledger of it."""
+
+    def __init__(self, path: Path, others: Callable[[str], Mapping[str, Any]], text: str) -> None:
+        super().__init__(path.name, path.parent)
+        self.others = others
+        self.written = text.split("\n")
+        self.stated: dict[str, Claim] = {}
+        """All claims that may be used here, by label."""
+        self.own: dict[str, Claim] = {}
+        self.named: dict[str, tuple[Basic, ...]] = {}
+        self.lines: dict[str, tuple[int, int]] = {}
+        self.waiting: _Waiting | None = None
+
+    def read(self, text: str) -> OwnPaper:
+        found = super().read(text)
+        self._finish()
+        return found
+
+    def _end(self, line: int) -> int:
+        """The last line of the statement that begins on a line."""
+        while line < len(self.written) and self.written[line][:1] in (" ", "\t"):
+            if not self.written[line].strip():
+                break
+            line += 1
+        return line
+
+    # What is said of a claim beside its formula
+
+    def _prose(self, line: int, text: str) -> None:
+        waiting = self.waiting
+        if waiting is None or line != waiting.end + 1:
+            super()._prose(line, text)
+            return
+        waiting.end = self._end(line)
+        first, _ = self.lines[waiting.label]
+        self.lines[waiting.label] = first, waiting.end
+        match = _REMARK.fullmatch(text)
+        if match is None:
+            waiting.note.append(text)
+        elif match[1] == "says":
+            waiting.fields |= {"says": match[2], "means": waiting.fields["says"]}
+        elif match[1] == "fault":
+            faults = {fault.name.lower(): fault for fault in Fault}
+            if match[2] not in faults:
+                raise InputError(f"'{match[2]}' is not one of {', '.join(faults)}")
+            waiting.fields["fault"] = faults[match[2]]
+        elif match[1] == "assumed":
+            waiting.fields["proof"] = Definition(match[2])
+        else:
+            waiting.fields[{"paper": "paper_says"}.get(match[1], match[1])] = match[2]
+
+    def _state(self, line: int, label: str, place: str, fields: dict[str, Any]) -> None:
+        self.waiting = _Waiting(label, self._end(line), {**fields, "where": _place(place)})
+        self.lines[label] = line, self.waiting.end
+
+    def _finish(self) -> None:
+        """Make a claim of what was read last."""
+        if self.waiting is not None:
+            waiting, self.waiting = self.waiting, None
+            claim = Claim(waiting.label, note=" ".join(waiting.note), **waiting.fields)
+            self.stated[waiting.label] = self.own[waiting.label] = claim
+
+    def _statement(self, line: int, text: str) -> None:
+        if self.waiting is not None and line > self.waiting.end + 1:
+            self._finish()
+        super()._statement(line, text)
+
+    # Names
+
+    def _need_new(self, name: str) -> None:
+        if name not in {*OWN, "gamma"} or name in self.declared:
+            super()._need_new(name)
+
+    def _need_known(self, names: Iterable[str], more: Iterable[str] = ()) -> None:
+        own = {there for name, there in OWN.items() if name in self.declared or name == "lambda"}
+        super()._need_known({*names} - own, more)
+
+    def _called(self, text: str) -> str:
+        for name, there in OWN.items():
+            if name in self.declared:
+                text = re.sub(rf"(?<![\w\\]){name}(?!\w)", there, text)
+        return super()._called(text)
+
+    def _need_new_label(self, label: str) -> None:
+        self._finish()
+        if label in self.lines:
+            raise InputError(f"{label} is the label of line {self.lines[label][0]} already")
+
+    def _use(self, line: int, names: Iterable[str], file: str) -> None:
+        self._finish()
+        known = self.others(file)
+        for name in names:
+            if name not in known:
+                raise InputError(f"{name} is not in {file}{near(name, known)}")
+            value = known[name]
+            if isinstance(value, Claim):
+                self.stated[name] = self.stated[value.label] = value
+            elif isinstance(value, Expression):
+                self._abbreviate(line, name, (), value)
+            elif isinstance(value, tuple):
+                self.named[name] = value
+            elif callable(value):
+                self._take_function(line, name, value)
+            else:
+                raise InputError(f"{name} of {file} is neither a claim nor an expression")
+
+    def _abbreviate(
+        self, line: int, name: str, parameters: tuple[str, ...], value: Expression
+    ) -> None:
+        e = tree(value)
+        self.definitions[name] = Abbreviation(line, name, parameters, str(e), e, e)
+
+    def _take_function(self, line: int, name: str, function: Callable[..., Any]) -> None:
+        """Take a formula that programs run, as a function of the same arguments."""
+        asked = [p for p in inspect.signature(function).parameters if p != "m"]
+        made = function(*(Symbol(p, real=True) for p in asked), **_arithmetic(function))
+        if isinstance(made, tuple):
+            for n, part in enumerate(made, 1):
+                self._abbreviate(line, f"{name}_{n}", tuple(asked), part)
+        else:
+            self._abbreviate(line, name, tuple(asked), made)
+
+    def _found(self, names: str) -> list[Claim]:
+        found = []
+        for name in filter(None, map(str.strip, split(names, ","))):
+            if name not in self.stated:
+                raise InputError(
+                    f"no claim above this line is labelled '{name}'{near(name, self.stated)}"
+                )
+            found.append(self.stated[name])
+        return found
+
+    # Claims
+
+    def _lets_in(self, clauses: dict[str, str]) -> list[Any]:
+        return []
+
+    def _let(self, line: int, label: str, place: str, written: str) -> None:
+        self._need_new_label(label)
+        equations: list[Basic] = []
+        given: list[Basic] = []
+        for part in map(str.strip, split(written, ",")):
+            match = DEFINED.fullmatch(part)
+            if match is None:
+                given += self._given(part)
+                continue
+            if match[2] is not None:
+                raise InputError(f"'{match[1]}' is a function: write it on a line of its own")
+            name = OWN.get(match[1], match[1])
+            equations.append(self._relation((symbol(name), "==", self._tree(match[3]))))
+        if equations:
+            says = equations[0] if len(equations) == 1 else Tuple(*equations)
+            fields = {"says": says, "given": tuple(given), "proof": Definition()}
+            self._state(line, label, place, fields)
+        else:
+            self.named[label] = tuple(given)
+
+    def _claimed(
+        self,
+        line: int,
+        label: str,
+        written: str,
+        text: str,
+        clauses: dict[str, str],
+        place: str,
+        assumed: bool,
+    ) -> None:
+        for word in clauses:
+            if word not in _CLAUSES:
+                raise InputError(f"'{word}' is not read in a paper of the ledger yet")
+        uses = self._found(clauses.get("using", ""))
+        given = self._given(clauses.get("given", ""))
+        instead = tuple(self._found(clauses.get("instead", "")))
+        expect = clauses.get("expect", "proved").lower()
+        if expect not in ("proved", "refuted", "enclosed") or (assumed and "expect" in clauses):
+            raise InputError(f"'{expect}': expect refuted, or expect enclosed")
+        fields: dict[str, Any] = {"amended_by": instead} if instead else {}
+        parts = [part.strip() for part in split(text, r"\band\b")]
+        if all(part in self.stated for part in parts):
+            if given or uses:
+                raise InputError("a claim of claims has their conditions, and no others")
+            self._state(
+                line, label, place, {**jointly(*(self.stated[part] for part in parts)), **fields}
+            )
+            return
+        says, steps = self._says(text)
+        given = [*self._declared_about((says, *given)), *given]
+        fields |= {"says": says, "given": tuple(given)}
+        values = _point(clauses.get("at", ""))
+        if values and expect != "refuted":
+            raise InputError("'at' names a point at which a claim fails: expect refuted at x == 1")
+        if assumed:
+            fields["proof"] = Definition("it is assumed")
+        else:
+            fields["proof"] = _evidence(uses, (says, *given), steps, values)
+            fields["expect"] = _expected(expect, fields["proof"], uses)
+        self._state(line, label, place, fields)
+
+    def _given(self, text: str) -> list[Basic]:
+        """The conditions of a text: those with a name, printed inputs and comparisons."""
+        found: list[Basic] = []
+        for part in filter(None, map(str.strip, split(text, ","))):
+            if part in self.named:
+                found += self.named[part]
+            elif match := _PRINTED.fullmatch(part):
+                found.append(Rounds(to_sympy(_named(self._tree(match[1]))), match[2]))
+            else:
+                found += map(self._relation, parse_given(plain(self._called(part))))
+        return found
+
+    def _declared_about(self, written: tuple[Basic, ...]) -> list[Basic]:
+        """The declared conditions about the variables of a claim, and about those of conditions."""
+        names = {s.name for e in written for s in e.free_symbols}
+        left = [self._relation(link) for link in self.given]
+        found: list[Basic] = []
+        while new := [c for c in left if names & {s.name for s in c.free_symbols}]:
+            names |= {s.name for c in new for s in c.free_symbols}
+            left = [c for c in left if c not in new]
+            found += [c for c in new if c not in written]
+        return found
+
+    def _says(self, text: str) -> tuple[Basic, tuple[Expression, ...]]:
+        """The statement of a text, and the steps of a chain between its two sides."""
+        if match := _PRINTED.fullmatch(text):
+            return Rounds(to_sympy(_named(self._tree(match[1]))), match[2]), ()
+        whole = read_compound(self._called(text))
+        if whole is not None:
+            return self._formula_of(mapped(whole.formula, self._put)), ()
+        links = [self._expanded(link) for link in parse_claim(plain(self._called(text)))]
+        if len(links) > 1 and all(sign == "==" for _, sign, _ in links):
+            first, last = links[0][0], links[-1][2]
+            steps = tuple(to_sympy(_named(right)) for _, _, right in links[:-1])
+            return self._relation((first, "==", last)), steps
+        relations = [self._relation(link) for link in links]
+        return relations[0] if len(relations) == 1 else Tuple(*relations), ()
+
+    def _formula_of(self, formula: Formula) -> Basic:
+        """A claim made of others as a statement of the ledger."""
+        if isinstance(formula, Together):
+            parts = [part for f in formula.parts for part in parts_of(self._formula_of(f))]
+            return Tuple(*parts)
+        if isinstance(formula, Equivalent):
+            return sympy.Equivalent(*map(self._formula_of, formula.parts))
+        if isinstance(formula, Count) and formula.how in _COUNTS and not any(formula.closed):
+            ends = (to_sympy(_named(e)) for e in (symbol(formula.name), formula.low, formula.high))
+            return _COUNTS[formula.how](*ends, self._relation(formula.equation))
+        if isinstance(formula, Shape) and formula.how in _SHAPES:
+            named = (to_sympy(_named(e)) for e in (formula.function, symbol(formula.name)))
+            return _SHAPES[formula.how](*named)
+        if isinstance(formula, Count | Shape) or getattr(formula, "path", None) is not None:
+            raise InputError("this form of a claim is not read in a paper of the ledger yet")
+        relations = [self._relation(link) for link in formula.comparisons]
+        says = relations[0] if len(relations) == 1 else Tuple(*relations)
+        return ForSome(says) if isinstance(formula, Somewhere) else says
+
+    def _tree(self, text: str) -> Expr:
+        e = as_written(plain(self._called(text)))
+        self._need_known(symbols(e))
+        self._need_functions((put := self._put(e),))
+        return put
+
+    def _relation(self, link: Compared) -> Basic:
+        left, sign, right = self._expanded(link)
+        if sign not in _CLASS:
+            raise InputError(f"'{sign}' is not read in a paper of the ledger yet")
+        self._need_known(symbols(left) | symbols(right))
+        self._need_functions((left, right))
+        sides = (to_sympy(_named(side)) for side in (left, right))
+        made: Basic = _CLASS[sign](*sides, evaluate=False)
+        return made
+
+
+def _named(e: Expr) -> Expr:
+    """An expression with the symbols of the ledger."""
+    return substitute(e, {there: symbol(name) for name, there in OWN.items()})
+
+
+def _arithmetic(function: Callable[..., Any]) -> dict[str, Any]:
+    return {"m": sympy} if "m" in inspect.signature(function).parameters else {}
+
+
+def _place(text: str) -> Place | None:
+    if not text:
+        return None
+    match = _PLACE.fullmatch(text)
+    if match is None:
+        raise InputError(f"'{text}' is not a place: write (12), [line 320] or [cell NAME]")
+    if match[1] or match[2] == "display":
+        return Place(display=int(match[1] or match[3]))
+    return Place(line=int(match[3])) if match[2] else Place(cell=match[4])
+
+
+def _point(text: str) -> dict[str, Any]:
+    """The values of ``x == 1, y == 1/2``."""
+    found = {}
+    for left, sign, right in parse_given(plain(text)) if text else ():
+        if left.op != "symbol" or sign != "==" or right.op != "number":
+            raise InputError(f"'{text}': write at x == 1/5, y == 2")
+        found[str(left.args[0])] = right.args[0]
+    return found
+
+
+def _evidence(
+    uses: list[Claim],
+    written: tuple[Basic, ...],
+    steps: tuple[Expression, ...],
+    values: Mapping[str, Any],
+) -> Evidence:
+    """How a claim is judged: by a point, as a printed number, or by the engine."""
+    if values:
+        return Counterexample(values, tuple(uses))
+    if any(isinstance(e, Rounds) for e in written):
+        return Printed(tuple(uses))
+    put, cited, also = [], [], []
+    for claim in uses:
+        parts = claim.parts if claim.in_formulas and not isinstance(claim.proof, Root) else ()
+        put += [claim] if any(isinstance(part, Eq) for part in parts) else []
+        cited += [claim] if any(not isinstance(part, Eq) for part in parts) else []
+        also += [] if parts else [claim]
+    return Decided(tuple(put), tuple(cited), also=tuple(also), steps=steps)
+
+
+def _expected(word: str, proof: Evidence, uses: list[Claim]) -> Any:
+    if word == "refuted":
+        return Verdict.REFUTED
+    if isinstance(proof, Printed) or word == "enclosed":
+        return Verdict.ENCLOSED
+    enclosed = any(claim.expect is Verdict.ENCLOSED for claim in uses)
+    return Verdict.ENCLOSED if enclosed else Verdict.PROVED
