@@ -1,7 +1,9 @@
 """Generated documents: pure functions of the ledger, honest about what they show."""
 
 import re
+import time
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from pathlib import Path
 
@@ -13,6 +15,7 @@ from tresym.ledger.paper import all_claims, racket
 from tresym.ledger.paper import corrections as all_corrections
 from tresym.ledger.verification import Report, verify
 from tresym.reals.verdict import Verdict
+from tresym.report.pages import documents
 from tresym.report.pages.corrections import FAULTS, corrections
 from tresym.report.pages.documents import kept, stale
 from tresym.report.typesetting.markdown import sentence
@@ -144,3 +147,22 @@ def test_links_of_the_readme_lead_somewhere() -> None:
         text = (root / page).read_text(encoding="utf-8")
         for target in re.findall(r"\]\(([^)#]+)\)", text):
             assert target.startswith("http") or (root / target).exists(), target
+
+
+def test_what_two_processes_begin_at_once_is_judged_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    judgements = []
+
+    def judge(**_: object) -> Report:
+        judgements.append(time.sleep(0.1))
+        return Report(())
+
+    monkeypatch.setattr(documents, "site_folder", lambda: tmp_path)
+    monkeypatch.setattr(documents, "fingerprint", str)
+    monkeypatch.setattr(documents, "verify", judge)
+    monkeypatch.setattr(documents, "Report", lambda *_: Report(()))
+    monkeypatch.setattr("tresym.ledger.paper.all_claims", tuple)
+    with ThreadPoolExecutor(2) as both:
+        list(both.map(lambda _: documents.judged(), range(2)))
+    assert len(judgements) == 1

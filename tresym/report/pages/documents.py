@@ -15,6 +15,7 @@ import json
 import os
 import pickle
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
@@ -49,7 +50,30 @@ def documents() -> Iterator[tuple[str, str]]:
 
 
 def judged() -> Report:
-    """Judge the whole ledger, or read the judgement that was stored for the same sources."""
+    """Judge the whole ledger, or read the judgement that was stored for the same sources.
+
+    The site and the tests, which begin at once in ``.ci/run``, judge it once together.
+    """
+    with _alone("judged"):
+        return _judged()
+
+
+@contextmanager
+def _alone(work: str) -> Iterator[None]:
+    """Wait until no other process does the same work, where the system can lock files."""
+    try:
+        import fcntl
+    except ImportError:
+        yield
+        return
+    home = site_folder()
+    home.mkdir(exist_ok=True)
+    with (home / f"{work}.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def _judged() -> Report:
     from tresym.ledger.paper import all_claims
     from tresym.ledger.verification import Row
 
@@ -61,7 +85,6 @@ def judged() -> Report:
             return Report(tuple(rows), racket().labels_by_alias)
     report = verify(workers=cores())
     findings = {row.claim.label: replace(row.finding, of=None) for row in report.rows}
-    place.parent.mkdir(exist_ok=True)
     aside = place.with_name(f"judged.{os.getpid()}")
     aside.write_bytes(pickle.dumps((wanted, findings)))
     aside.replace(place)
@@ -111,9 +134,10 @@ def build_pages() -> Path:
     """Write docs/_pages if it is missing or older than the sources, and return the folder."""
     home, wanted = site_folder(), fingerprint()
     mark = home / "sources"
-    if not mark.is_file() or mark.read_text(encoding="utf-8") != wanted:
-        _write_all(home, pages(judged()))
-        mark.write_text(wanted, encoding="utf-8")
+    with _alone("pages"):
+        if not mark.is_file() or mark.read_text(encoding="utf-8") != wanted:
+            _write_all(home, pages(judged()))
+            mark.write_text(wanted, encoding="utf-8")
     return home
 
 
