@@ -25,6 +25,7 @@ if TYPE_CHECKING:  # for editors and type checkers, which would accept any name 
     from tresym.accuracy.error_table import error_table
     from tresym.accuracy.expansion import expand
     from tresym.accuracy.largest_error import largest_error
+    from tresym.accuracy.scheme_claims import scheme_claims
     from tresym.accuracy.values import value
     from tresym.entries.lookup import atlas
     from tresym.ledger.verification import verify
@@ -65,6 +66,7 @@ _HOMES = {
     "largest_error": "tresym.accuracy.largest_error",
     "open": "tresym.report.pages.opened",
     "paper": "tresym.report.pages.python_api",
+    "scheme_claims": "tresym.accuracy.scheme_claims",
     "table": "tresym.report.pages.python_api",
     "value": "tresym.accuracy.values",
     "verify": "tresym.ledger.verification",
@@ -92,6 +94,7 @@ __all__ = [
     "holds_from",
     "largest_error",
     "paper",
+    "scheme_claims",
     "table",
     "value",
     "verify",

@@ -66,6 +66,19 @@ def decide_scheme(claim: Comparison, statement: Statement) -> Answer:
         return Answer(Verdict.UNDECIDED, why)
 
 
+def true_order(claim: Comparison, statement: Statement) -> Expr | None:
+    """Return h**p where a scheme is claimed to be O(h**(p + 1)) or o(h**p) and is O(h**p)."""
+    path = statement.path
+    if path is None or not any(True for e in (claim.left, *statement.said) for _ in functions(e)):
+        return None
+    try:
+        scheme, p, small = _claimed(claim, path.name)
+        found = _known(Jets(path.name, statement.equations), scheme, p + small)
+    except UnreadError:
+        return None
+    return _power(symbol(path.name), p + small - 1) if found.first == p + small - 1 else None
+
+
 def _decide(claim: Comparison, statement: Statement) -> Answer:
     path = statement.path
     if path is None or path.point != ZERO or path.expression is not None or path.together:

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 from tresym.asymptotics.expansion import terms_of
 from tresym.asymptotics.explicit_terms import Terms
+from tresym.asymptotics.schemes import true_order
 from tresym.checking.dispatch import decide_within_limits
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.statement import Statement
@@ -72,6 +73,11 @@ def true_expansions(claim: Claim) -> Iterator[tuple[Claim, str]]:
     if relation != "==" or len(orders) != 1 or orders[0].op not in ("O", "o"):
         return
     order = orders[0]
+    weaker_by_one = true_order(compared, statement)
+    if weaker_by_one is not None:
+        edited = tuple(Expr("O", (weaker_by_one,)) if part == order else part for part in parts)
+        yield claim._replace(terms=(f, add(*edited))), f"the error is O({weaker_by_one})"
+        return
     stated = add(ZERO, *(part for part in parts if part.op not in ORDERS))
     same = _terms(f, statement, count) if count else None
     if same is not None and same.gauge and is_zero(add(*same.terms) - stated, Given()):
