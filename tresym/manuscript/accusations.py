@@ -26,7 +26,18 @@ from tresym.manuscript.terms import Head, base_of, read_term, unknown_in
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY, INTEGERS
-from tresym.reals.language.expression import DOTS, Expr, number, substitute, symbols
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import (
+    DOTS,
+    Expr,
+    add,
+    instantiate,
+    multiply,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.formula import Compared
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
@@ -132,7 +143,7 @@ def ground(
     if relation in _BOUNDS and names and not explicit:
         doubt(DoubtKind.RANGE, "the text does not say for which values the bound is claimed")
     terms = said.terms[n : n + 2]
-    if not names and _within_print(memory, compared, terms):
+    if (not names or _is_of_unit(compared)) and _within_print(memory, compared, terms):
         doubt(DoubtKind.ROUNDED, "the numbers may be rounded")
     if not names and n == 0 and all(_is_number(term) for term in terms):
         doubt(DoubtKind.CONTRADICTION, "a contradiction may be meant")
@@ -184,6 +195,20 @@ def _may_be_sequence(node: Expr) -> bool:
     return node.names[0][0] in _INDICES and bool(_WAVES.search(str(node)))
 
 
+def _is_of_unit(compared: Compared) -> bool:
+    """Whether both sides are numbers times one capital letter, which may be a unit: 2.4 V."""
+    names = symbols(compared[0]) | symbols(compared[2])
+    if len(names) != 1 or not min(names).isupper():
+        return False
+    name = min(names)
+    parts = [side.args if side.op == "*" else (side,) for side in compared[::2]]
+    return all(
+        sum(part == symbol(name) for part in side) == 1
+        and sum(bool(symbols(part)) for part in side if isinstance(part, Expr)) == 1
+        for side in parts
+    )
+
+
 def _is_number(term: Sequence[str]) -> bool:
     digits = [t for t in term if t != "-"]
     return len(digits) == 1 and digits[0][0].isdigit()
@@ -199,18 +224,19 @@ def _repeated(names: Iterable[str]) -> set[str]:
 def _within_print(memory: Memory, compared: Compared, terms: Sequence[Sequence[str]]) -> bool:
     """Whether the difference of two constants may come from rounding the printed decimals."""
     slack = fmpq(0)
+    unit = {name: fmpq(1) for side in compared[::2] for name in symbols(side)}
     with ball_precision():
         try:
-            gap = abs(evaluate(compared[0] - compared[2], {}))
+            gap = abs(evaluate(compared[0] - compared[2], unit))
             for term in terms:
-                value = evaluate(read_term(term, memory.author).tree, {})
+                value = evaluate(read_term(term, memory.author).tree, unit)
                 for n, token in enumerate(term):
                     whole = len(term) == 1 and token.isdigit() and len(token) > 2
                     if not whole and not (token[0].isdigit() and "." in token[:-1]):
                         continue
                     half = f"{token}.5" if whole else f"{token}5"
                     more = [*term[:n], half, *term[n + 1 :]]
-                    other = evaluate(read_term(more, memory.author).tree, {})
+                    other = evaluate(read_term(more, memory.author).tree, unit)
                     slack += abs(other - value).upper().fmpq()
             return bool(slack) and bool(gap <= slack * fmpq(101, 100))
         except (InputError, AttributeError, KeyError, ValueError):
@@ -228,6 +254,10 @@ def holds_elsewhere(sides: Compared, given: Sequence[Compared]) -> dict[str, str
         given: the conditions that the point must satisfy.
     """
     one, relation, other = sides
+    by = {node.names for node in outermost(one, other) if node.op == "antiderivative"}
+    if len(by) == 1:
+        ((name,),) = by
+        one, other = _differentiated(one, name), _differentiated(other, name)
     if relation != "==" or not elementary(one, other):
         return None
     names = sorted((symbols(one) | symbols(other) | names_in(given)) - symbols(INTEGERS))
@@ -253,6 +283,20 @@ def holds_elsewhere(sides: Compared, given: Sequence[Compared]) -> dict[str, str
                 held[whole] += 1
                 found = {name: str(value) for name, value in point.items()}
     return found if held[False] or 4 * held[True] > tried[True] else None
+
+
+def _differentiated(e: Expr, name: str) -> Expr:
+    """The derivative of a combination of indefinite integrals."""
+    if e.op == "antiderivative":
+        return instantiate(e.args[0], (symbol(name),))
+    if e.op == "+":
+        return add(*(_differentiated(arg, name) for arg in e.args))
+    if e.op == "*":
+        varying = [arg for arg in e.args if not elementary(arg)]
+        constant = [arg for arg in e.args if elementary(arg)]
+        if len(varying) == 1 and all(name not in symbols(arg) for arg in constant):
+            return multiply(*constant, _differentiated(varying[0], name))
+    return differentiate(e, name)
 
 
 def _value(r: random.Random, whole: bool, k: int) -> fmpq:

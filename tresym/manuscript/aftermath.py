@@ -21,10 +21,12 @@ from tresym.manuscript.classification import DEFINED, EQUATION
 from tresym.manuscript.deciding import PASSES, Row
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import ZERO, Expr, substitute, symbols
 from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -34,7 +36,8 @@ _MISTAKE = re.compile(
     r"\b(?:mistakes?|mistaken(?:ly)?|incorrect(?:ly)?|wrong(?:ly)?|fallac\w+|bogus|flaw(?:ed|s)?"
     r"|(?:spot|find|what is|identify|explain|all)\s+(?:\w+\s+){0,2}errors?"
     r"|errors?\s+in\s+th(?:is|e)\s+(?:work|argument|proof|reasoning|calculation|computation|derivation)|student|does\s+not"
-    r"\s+hold|is\s+(?:false|not\s+true)|paradox\w*|nonsense|not\s+equal)\b",
+    r"\s+hold|is\s+(?:false|not\s+true)|paradox\w*|nonsense|not\s+equal"
+    r"|hatay\w+|[Ff]ehler(?!rechnung)\w*|erreurs?|falsch\w*|error(?:e|es)\b)\b",
     re.IGNORECASE,
 )
 """Words that call a formula a mistake."""
@@ -44,6 +47,13 @@ _CASES = re.compile(
     re.IGNORECASE,
 )
 """Words by which two equations of a display need not hold together."""
+_FACTOR = re.compile(r"it behaves like (?:[\d/()*.+-]|\bpi\b|\bsqrt\b)+(?:;|\Z)")
+_SCALED = re.compile(
+    r"\\(?:kilo|milli|centi|micro|nano|mega|giga|hecto|deci|pico|tera)(?![a-z])"
+    r"|\\(?:SI|qty|si|unit|mathrm|text|textrm|rm)\b[^$]*?\{[^{}]*(?<![a-zA-Z])(?:[kcmnGM]|\\mu\s*)"
+    r"(?:m|g|s|N|J|W|V|A|Pa|Hz|eV|cal|L|mol)(?![a-zA-Z])"
+)
+"""Units with a prefix."""
 _SENTENCE = re.compile(r"[^.!?]+[.!?]")
 _LINE = re.compile(r"\blines? (\d+)")
 
@@ -55,22 +65,49 @@ def settled(rows: Sequence[Row], seconds: float = 2.0, processes: int | None = N
         seconds: processor time for each question.
         processes: how many at once; None for one per core.
     """
-    result = [_denied(row) if row.status in ACCUSED else row for row in rows]
+    result = [_excused(row) if row.status in ACCUSED else row for row in rows]
     _contradicting(result)
     _told_once(result, seconds, processes)
     _without_premises(result)
     return result
 
 
-def _denied(row: Row) -> Row:
-    """Return the row, not accused if the words around it call it a mistake."""
+def _excused(row: Row) -> Row:
+    """Return the row, not accused if it means something else, or is called a mistake."""
     before, after = row.link.around[:2]
     words = f"{prose.last_sentence(before)} {' '.join(_SENTENCE.findall(after)[:2])}"
-    if not _MISTAKE.search(prose.without_formulas(words)):
+    excuse = ""
+    if _MISTAKE.search(prose.without_formulas(words)):
+        excuse = "the text calls it a mistake"
+    elif _is_of_order(row):
+        excuse = "the sign may mean the same order, as Theta does"
+    elif _in_other_unit(row):
+        excuse = "the sides may be in units that differ by a power of ten"
+    if not excuse:
         return row
-    return replace(
-        row, status=Verdict.UNDECIDED.value, why=f"the text calls it a mistake; {row.why}"
-    )
+    return replace(row, status=Verdict.UNDECIDED.value, why=f"{excuse}; {row.why}")
+
+
+def _is_of_order(row: Row) -> bool:
+    """Whether sides of a ~ differ by a constant factor, and the right one is a bare power: n(n +
+    1)/2 ~ n^2."""
+    left, relation, right = row.link.sides or (ZERO, "", ZERO)
+    base = right.args[0] if right.op == "^" and right.args[1].op == "number" else right
+    bare = isinstance(base, Expr) and base.op == "symbol"
+    return relation == "~" and bare and bool(symbols(left)) and bool(_FACTOR.search(row.why))
+
+
+def _in_other_unit(row: Row) -> bool:
+    """Whether two numbers differ by a power of ten in a display of units such as km."""
+    left, relation, right = row.link.sides or (ZERO, "", ZERO)
+    if relation != "==" or symbols(left) | symbols(right) or not elementary(left, right):
+        return False
+    if not _SCALED.search(row.link.display.text):
+        return False
+    with ball_precision():
+        ratio = evaluate(left / right, {}) if right != ZERO else None
+    powers = [ratio * 10**n for n in range(-12, 13) if n] if ratio is not None else []
+    return any(abs(power - 1) < 0.05 for power in powers)
 
 
 def _contradicting(rows: list[Row]) -> None:

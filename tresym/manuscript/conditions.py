@@ -146,13 +146,17 @@ class ConditionReader(ABC):
         """``n \\in \\mathbb{Z}``, and the like."""
         head = self.head(said.terms[0])
         which = "".join(t for t in said.terms[1][1:] if t not in "{}^_")
-        if head is None or which not in ("R", "Z", "N", "Z+", "N0", "O", "E"):
+        if head is None or which not in ("R", "Z", "N", "Z+", "N0", *PARITIES):
             return None
-        if which in ("O", "E"):
+        if which in PARITIES:
             half = symbol(f"{head.name}_half")
-            value = number(2) * half + number(int(which == "O"))
-            return whole(half, "Z"), ((head.name, value),), ""
+            value = number(2) * half + number(int(which[0] == "O"))
+            return whole(half, PARITIES[which]), ((head.name, value),), ""
         return () if which == "R" else whole(symbol(head.name), which), (), ""
+
+
+PARITIES = {"O": "Z", "O+": "N0", "O0": "N0", "E": "Z", "E+": "N", "E0": "N0"}
+"""The sets of odd and of even integers, and to which set half of these belongs."""
 
 
 def whole(name: Expr, which: str) -> tuple[Compared, ...]:

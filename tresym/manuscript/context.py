@@ -20,6 +20,7 @@ from tresym.reals.language.expression import (
     BINDERS,
     DOTS,
     LEAVES,
+    ONE,
     UNWORKED,
     Expr,
     bind,
@@ -62,6 +63,11 @@ _TENDING = re.compile(
 )
 """Where the text says that a symbol tends to 0 or to infinity, or is small or large."""
 _ENDED = re.compile(r"[.!?][\s})~]*\Z")
+_PARITY_WORD = re.compile(
+    r"\b(?:odd|even)(?=[\s~]+(?:case|integer|number|value|one|term|[a-z]{0,3}\$)|[\s~,]*\$|[.,;:]|\s*\Z)"
+    r"|\b(?:parity|otherwise|conversely)\b"
+)
+"""Words behind which a symbol that was called odd may be even."""
 _PARAGRAPH = re.compile(r"\n\s*\n|\\par(?![a-zA-Z])")
 DEPTH = 10
 _ORDER = frozenset(
@@ -322,6 +328,7 @@ class Memory(ConditionReader):
         for n, paragraph in enumerate(_PARAGRAPH.split(text)):
             if n:
                 self.scopes.paragraph()
+            self.other_parity(paragraph)
             for formula in prose.INLINE.finditer(paragraph):
                 self.tends(formula[1] or formula[2])
             for found in prose.inline(paragraph):
@@ -347,6 +354,8 @@ class Memory(ConditionReader):
             conditions = self.condition(said)
             self.lasting += conditions[0] if conditions else ()
             understood = conditions is not None and not conditions[1]
+            if conditions and conditions[1] and said.ops == ("\\in",):
+                understood = self.has_parity(said, conditions[1][0][1])
         why = f"'{found.binds}'" if found.binds else f"${' '.join(found.tex.split())[:60]}$"
         why = f"the text says {why} about it"
         equal = bool(said.ops) and {*said.ops} <= {"=", ":="}
@@ -370,6 +379,31 @@ class Memory(ConditionReader):
             for name in self.spoken_of(said) if conditions != ((), (), "") else ():
                 tied = Restriction(why, bounds=bounds, within=within)
                 self.scopes.now.restricted.setdefault(name, tied)
+
+    def has_parity(self, said: Said, value: Expr) -> bool:
+        """Put in that a symbol is odd or even, as "Let $n$ be odd" says; whether it is one."""
+        head = self.head(said.terms[0])
+        if head is None or head.parameters:
+            return False
+        self.functions.pop(head.name, None)
+        self.scopes.now.ambiguous.discard(head.name)
+        self.scopes.now.recent.discard(head.name)
+        self.define(head, value)
+        self.rather_positive(head.name, value)
+        return True
+
+    def rather_positive(self, name: str, value: Expr) -> None:
+        """Bound odd and even numbers for counterexamples: "for even n" rarely means n = -2."""
+        if name not in self.scopes.now.restricted:
+            bounds = tuple((symbol(half), ">=", ONE) for half in symbols(value))
+            self.restrict({name}, "it may be meant to be positive", bounds=bounds)
+
+    def other_parity(self, text: str) -> None:
+        """Forget that a symbol is odd where a sentence speaks of even numbers, and conversely."""
+        words = {word.lower() for word in _PARITY_WORD.findall(prose.without_formulas(text))}
+        for name, function in [*self.functions.items()] if words else ():
+            if f"{name}_half" in symbols(function.body) and not function.parameters:
+                self.undefine(name)
 
     def restrict(
         self,
@@ -471,6 +505,8 @@ class Memory(ConditionReader):
                     more = self.condition(said)
                     if more and (not more[1] or said.ops[:1] == ("\\in",)):
                         given += more[0]
+                        for one, value in more[1]:
+                            self.rather_positive(one, value)
                         put_in += (one for one in more[1] if one[0] not in self.told)
                         path = more[2] or path
                     elif said.ops and found.conditional and not unread:

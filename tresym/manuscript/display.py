@@ -202,6 +202,10 @@ def _rows(tokens: list[str]) -> list[_Cell]:
     return [cell._replace(tokens=cell.tokens + heads.get(c, [])) for cell, c in pairs]
 
 
+_SIGNS = frozenset(("-", "\\pm", "\\mp"))
+"""What an equation may begin with; one that begins with + goes on from the line before."""
+
+
 def _goes_on(
     before: list[str], cell: list[str], after: list[str], column: int, row: list[str]
 ) -> bool:
@@ -212,7 +216,7 @@ def _goes_on(
         return True
     starts = after[:1] and after[0] in RELATIONS and _relation_in(before)
     if cell[0] in _OPERATORS:  # an equation begins in an even column of an align
-        alone = column == 0 and _relation_in(row) and _relation_in(before)
+        alone = column == 0 and _relation_in(row) and _relation_in(before) and cell[0] in _SIGNS
         return not (starts and column % 2 == 0) and not alone
     return column > 0 and not starts and not _relation_in(cell) and cell[0] != CONDITION
 

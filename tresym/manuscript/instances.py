@@ -13,7 +13,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from tresym.reals.language.binders import outermost
-from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.calls import FACTORIAL, ROUNDED
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     BINDERS,
@@ -46,7 +46,7 @@ def instances(compared: Compared, constants: frozenset[str]) -> Iterator[tuple[s
     unknown = {
         str(n.args[0].args[0]) for e in (left, right) for n in _nodes(e) if n.op == "unknown"
     }
-    unknown -= {FACTORIAL}
+    unknown -= {FACTORIAL, *ROUNDED}
     if not names and not unknown:
         return
     for variant in range(VARIANTS):

@@ -170,9 +170,18 @@ def _maps(tokens: Sequence[str], found: Sequence[Mention], intervals: Collection
         yield FUNCTION if real else OPERATOR, one, _shown(tokens, one.start, one.end + 16)
 
 
+def _divides(tokens: Sequence[str], at: int) -> bool:
+    """Whether ``m \\setminus n`` says that m divides n, which are small letters and numbers."""
+    beside = (*tokens[max(at - 1, 0) : at], *tokens[at + 1 : at + 2])
+    beside = tuple(token for token in beside if token not in "()")
+    return bool(beside) and all(token[:1].islower() or token.isdigit() for token in beside)
+
+
 def _neighbours(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
     """``A \\cup B`` and ``u \\otimes v``."""
     for at, token in enumerate(tokens):
+        if token == "\\setminus" and _divides(tokens, at):
+            continue
         if token in _SETS or token in _OF_VECTORS:
             for one in found:
                 image = one.letter in _FUNCTIONS and tokens[one.end : one.end + 1] == ["("]

@@ -506,7 +506,7 @@ class _Reading(LinkReader):
         if condition.tokens != (OTHERWISE,):
             return None
         cases = [given for head, given in self.cases if head == said.terms[0]]
-        if not cases or any(len(given) != 1 for given in cases):
+        if not cases or any(len(given) != 1 or given[0][1] not in NEGATED for given in cases):
             return None
         return tuple((a, NEGATED[r], b) for ((a, r, b),) in cases), (), ""
 

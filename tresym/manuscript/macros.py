@@ -20,6 +20,8 @@ DEFINITIONS = re.compile(
 _NAME = re.compile(r"\s*(?:\{\s*(\\[a-zA-Z@]+|\\.|[a-zA-Z]+\*?)\s*\}|(\\[a-zA-Z@]+|\\.))")
 _COUNT = re.compile(r"\s*\[(\d)\]")
 _PARAMETERS = re.compile(r"((?:#\d)*)\s*(?=\{)")
+_BETWEEN = re.compile(r"\s*#1\s*(\\[a-zA-Z@]+)\s*(?=\{)")
+"""The parameters of ``\\def\\be#1\\ee``: what stands between two commands."""
 _BRACE = re.compile(r"\\.|[{}]", re.DOTALL)
 _COMMAND = re.compile(r"\\(?:[a-zA-Z@]+|.)", re.DOTALL)
 _SPACE = re.compile(r"\s*")
@@ -128,6 +130,12 @@ def definition(text: str, command: re.Match[str]) -> tuple[dict[str, Macro], int
         return {name: Macro(0, value)}, at
     if word.endswith("def"):
         parameters = _PARAMETERS.match(text, at)
+        if pair := _BETWEEN.match(text, at):
+            body, at = group(text, pair.end())
+            if body.count("#") == 1:
+                before, _, after = body.partition("#1")
+                return {name: Macro(0, before), pair[1]: Macro(0, after)}, at
+            return {name: Macro(0, None)}, at
         if parameters is None:  # delimited parameters
             opening = text.find("{", at, at + 200)
             _, at = group(text, opening) if opening >= 0 else ("", at)

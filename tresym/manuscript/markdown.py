@@ -1,7 +1,8 @@
 r"""A Markdown page as LaTeX, line by line, so that the places of formulas stay the same.
 
 ``## Second example`` becomes a section, which ends what was said of letters before it, as it would
-in LaTeX; ``**Example 2.**`` becomes a bold heading. Code is left out. A percent sign is no comment,
+in LaTeX; ``**Example 2.**`` becomes a bold heading. Code is left out, but a block that is marked as
+``math`` is a display. A percent sign is no comment,
 except of ``% tresym: ...`` and ``<!-- tresym: ... -->``, which are directives. In a table ``\|``
 is a bar.
 """
@@ -12,6 +13,9 @@ import re
 
 SUFFIXES = frozenset((".md", ".markdown", ".mdx", ".rmd", ".qmd"))
 _FENCE = re.compile(r"\s*(?:>\s*)*(```+|~~~+)")
+_MATH = re.compile(r"\s*(?:>\s*)*(```+|~~~+|:::+)\s*(?:math|\{math\})\s*(\S*)\s*$")
+"""The first line of a block of mathematics: of GitHub, and of MyST, which may name it."""
+_LABELLED = re.compile(r"\s*:(label|name|nowrap|class|number|width):\s*(.*?)\s*$")
 _HEADING = re.compile(r"(#{1,6})\s+(.*?)\s*#*\s*$")
 _DIRECTIVE = re.compile(r"\s*<!--\s*(tresym:.*?)\s*-->\s*$")
 _BOLD = re.compile(r"(\s*(?:[-*+]\s+|\d+\.\s+)?)\*\*([^*$]{1,80})\*\*")
@@ -28,12 +32,23 @@ def as_latex(text: str) -> str:
     """Return a page as LaTeX with the same lines."""
     lines = text.split("\n")
     result: list[str] = []
-    fence = ""
+    fence = math = ""
     header = lines[:1] == ["---"]
     for n, line in enumerate(lines):
         if header:  # of the page, with its title and the like
             header = n == 0 or line.strip() not in ("---", "...")
             result.append("")
+            continue
+        if math:
+            if line.strip().lstrip("> ") == math:
+                math, line = "", "\\]"
+            elif option := _LABELLED.match(line):
+                line = f"\\label{{{option[2]}}}" if option[1] in ("label", "name") else ""
+            result.append(_QUOTED.sub("", line, count=1))
+            continue
+        if not fence and (block := _MATH.match(line)):
+            math = block[1]
+            result.append("\\[")
             continue
         mark = _FENCE.match(line)
         if fence or (mark and mark[1]):

@@ -83,6 +83,18 @@ _MORE_TERMS = re.compile(
     r"(?<=[a-zA-Z0-9})\]!])\s*(\\(?:dots|ldots|cdots|dotsb)(?![a-zA-Z]))"
     r"(?=\s*(?:\}|\)|\]|\\right|\\\\|&|\Z|=|\\sim|\\approx|\.|\\nonumber|\\label|\n))"
 )
+_ONE_LINE = re.compile(r"\\substack\s*\{((?:(?!\\\\)[^{}]|\{(?:(?!\\\\)[^{}])*\})*)\}")
+_FROM_ONE_SIDE = re.compile(
+    r"\\substack\s*\{\s*([a-zA-Z]|\\[a-zA-Z]+)\s*\\(?:to|rightarrow)(?![a-zA-Z])\s*([^\\{}]{1,20}?)\s*"
+    r"\\\\\s*\1\s*([<>])\s*\2\s*\}"
+)
+"""A limit from one side, ``\\substack{x \\to 0 \\\\ x > 0}``."""
+_BETWEEN_ENDS = re.compile(
+    r"\\(sum|prod)(?![a-zA-Z])\s*(?:\\limits\s*)?_\s*\{\s*([^{}<>=\\]{1,20}?)\s*"
+    r"(<|\\leq?(?:slant)?(?![a-zA-Z]))\s*([i-n])\s*(<|\\leq?(?:slant)?(?![a-zA-Z]))\s*"
+    r"((?:[^{}<>=\\,]|\\infty(?![a-zA-Z])){1,20}?)\s*\}(?!\s*\^)"
+)
+"""A sum over ``0 \\le k < n``."""
 _SETTING = re.compile(r"\\(?:re)?newcommand\s*(?:\{[^{}]*\}|\\?\w+|[\d.]+)\s*\{[^{}]*\}")
 _CANCELLED_TO = re.compile(r"\\cancelto(?![a-zA-Z])")
 _NUMBER = re.compile(r"\\(?:SI|qty|num)\s*(?:\[[^\[\]]*\])?\s*\{([^{}]*)\}")
@@ -100,6 +112,10 @@ def plain_notation(text: str) -> str:
     text = _SPACES.sub(" ", text)
     text = _SETTING.sub(" ", text)
     text = _EMPTY.sub(" ", text)
+    if "\\substack" in text:
+        text = _FROM_ONE_SIDE.sub(lambda m: _from_one_side(*m.groups()), text)
+        text = _ONE_LINE.sub(r" \1 ", text)
+    text = _BETWEEN_ENDS.sub(lambda m: _with_ends(*m.groups()), text)
     text = _without_targets(text)
     text = _ORDER_LABEL.sub(r" \1 ", text)
     text = _MORE_TERMS.sub(_with_sign, text)
@@ -127,6 +143,16 @@ def plain_notation(text: str) -> str:
     text = _with_lower_end_first(text, _UPPER_FIRST)
     text = _with_euler(text)
     return _SHOCK.sub(_beside_a_shock, text)
+
+
+def _from_one_side(name: str, end: str, sign: str) -> str:
+    return rf"{name} \to {end}^{'+' if sign == '>' else '-'}"
+
+
+def _with_ends(sign: str, low: str, above: str, name: str, below: str, high: str) -> str:
+    low += "+1" if above == "<" else ""
+    high += "-1" if below == "<" and high != "\\infty" else ""
+    return rf"\{sign}_{{{name}={low}}}^{{{high}}}"
 
 
 def _with_sign(found: re.Match[str]) -> str:

@@ -82,11 +82,15 @@ _SIGN_AFTER = re.compile(
     r"(?!,?\s*(?:or|if|iff|when|whenever|only|unless|except|but|and not)\b)",
 )
 _PARITIES = {"odd": "O", "even": "E"}
+_FROM = {"positive": "+", "natural": "+", "negative": "0"}
 _PARITY_BEFORE = re.compile(
-    r"\b(odd|even)(?:[\s~]+(?:integers?|numbers?|values?(?: of)?))?[\s~]*\Z", re.IGNORECASE
+    r"\b(?:(positive|non-?negative)[\s~]+)?(odd|even)(?:[\s~]+(positive|non-?negative|natural))?"
+    r"(?:[\s~]+(?:integers?|numbers?|values?(?: of)?))?[\s~]*\Z",
+    re.IGNORECASE,
 )
 _PARITY_AFTER = re.compile(
-    r"[\s~,]*(?:is|are|be|being)?[\s~]*(?:an?[\s~]+)?(?:positive[\s~]+)?(odd|even)\b"
+    r"[\s~,]*(?:is|are|be|being)?[\s~]*(?:an?[\s~]+)?"
+    r"(?:(positive|non-?negative)[\s~]+)?(odd|even)\b(?:[\s~]+(positive|non-?negative|natural)\b)?"
     r"(?![\s~]*(?:or|if|function|part|extension|permut|periodic))"
 )
 _PIECE = re.compile(
@@ -353,14 +357,20 @@ def _signed(tex: str, before: str, after: str) -> str:
 
 
 def _parity(tex: str, before: str, after: str) -> str:
-    """Return O or E if the words around ``n`` or ``n \\ge 1`` call n odd or even, else ``""``."""
+    """Return O or E if the words around ``n`` or ``n \\ge 1`` call n odd or even, else ``""``.
+
+    Behind it stands + if they call it positive, 0 if not negative.
+    """
     one = _SYMBOL_FIRST.match(tex)
     if one is None or (tex[one.end() :] and not _RELATION.match(tex, one.end())):
         return ""
     before = before[-60:]
     found = _PARITY_BEFORE.search(before) or _PARITY_AFTER.match(after[:60])
     denied = found and _NEITHER.search(before[: found.start()])
-    return _PARITIES[found[1].lower()] if found and not denied else ""
+    if not found or denied:
+        return ""
+    sign = (found[1] or found[3] or "").lower().replace("non-", "").replace("non", "")
+    return _PARITIES[found[2].lower()] + _FROM.get(sign, "")
 
 
 def conditions_behind(after: str) -> Iterator[Inline]:

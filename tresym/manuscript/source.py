@@ -88,6 +88,15 @@ _IN_ORDER = re.compile(
     r"\\in(?![a-zA-Z])(?=\s*(?:\\(?:mathcal|cal)\s*\{?\s*|\{\s*\\cal\s*)?[Oo]\}?\s*(?:\\left\s*)?\()"
 )
 """The sign of ``f \\in O(g)``, which says ``f = O(g)``."""
+_OPENING = re.compile(
+    r"\s*(?:\\begin\s*\{(?P<begin>[a-z]+\*?)\}|(?P<open>\\\[)|(?P<dollars>\$\$))"
+    r"(?P<more>\s*(?:\\begin\s*\{(?:aligned|split|gathered)\})?\s*)"
+)
+"""What a command or an environment of the author begins with that opens a display."""
+_BEGUN = re.compile(rf"\\begin\s*\{{(?:{'|'.join(map(re.escape, DISPLAYS))})\}}|\\\[|\n\s*\n")
+_CLOSED = re.compile(r"(?:\\end\s*\{[a-z]+\*?\}|\\\]|\$\$)\s*\Z")
+_OPTIONS = re.compile(r"\A\s*\[[a-z=\s,\\{}\d.]*\]")
+"""Options of the package breqn behind ``\\begin{dmath}``."""
 _BRACKETS = frozenset(("\\left", "\\right", "\\middle"))
 """Commands of which an author's new definition changes the space around brackets, not a meaning."""
 
@@ -235,9 +244,9 @@ class _Scanner:
                 yield Section(self.source.place(at)[1], chapter, inner)
                 if (title := _TITLE.match(self.text, at, stop)) is not None:
                     prose = at = title.end()
-            elif kind := display_at(mark):
+            elif kind := display_at(mark) or self.own_display(mark[0]):
                 yield self.prose(prose, mark.start())
-                display, at = self.display(kind, mark.start(), at, stop)
+                display, at = self.display(kind, mark.start(), at, stop, mark[0])
                 prose = at
                 yield display
             elif scope := self.scope(mark):
@@ -286,6 +295,33 @@ class _Scanner:
         self.macros |= {name: macro for name, macro in made.items() if name not in _BRACKETS}
         return end
 
+    def own_display(self, command: str) -> str:
+        """Return the kind of display that a command or environment of the author opens, if any."""
+        body = (self.macros.get(command) or Macro(0, None)).body
+        found = body and _OPENING.fullmatch(body)
+        return display_at(found) if found else ""
+
+    def end_of_own_display(self, kind: str, opening: str, at: int, stop: int) -> tuple[int, int]:
+        """Return where a display ends that a command of the author opened, as `end_of_display`."""
+        if opening.startswith("\\begin"):
+            closers = [opening.replace("\\begin", "\\end", 1)]
+        else:
+            last = {"brackets": "\\]", "dollars": "$$"}.get(kind, f"\\end{{{kind}}}")
+            closers = [n for n, m in self.macros.items() if (m.body or "").strip().endswith(last)]
+            closers = [n for n in closers if n != opening and not self.own_display(n)]
+        names = "|".join(re.escape(n) + ("" if n[-1] == "}" else "(?![a-zA-Z])") for n in closers)
+        found = re.compile(names).search(self.text, at, stop) if names else None
+        if found is None or _BEGUN.search(self.text, at, found.start()):
+            raise NotClosedError(f"the display ({opening}) is not closed")
+        return found.start(), found.end()
+
+    def around(self, opening: str, text: str, closing: str) -> str:
+        """Return the text of a display with what the author's commands add to it."""
+        first = _OPENING.fullmatch(self.macros[opening].body or "")
+        last = (self.macros.get(closing) or Macro(0, "")).body or ""
+        inner = _CLOSED.sub("", last)
+        return f"{first['more'] if first else ''} {text} {inner}"
+
     def inline(self, at: int) -> int:
         """Return where an inline formula ends."""
         end = self.text.find("$", at)
@@ -299,16 +335,26 @@ class _Scanner:
             text = written_out(text, self.macros) if len(text) < MAX_DISPLAY else text
         return Prose(text, file, line)
 
-    def display(self, kind: str, start: int, at: int, stop: int) -> tuple[Display, int]:
+    def display(
+        self, kind: str, start: int, at: int, stop: int, opening: str
+    ) -> tuple[Display, int]:
         """Return the display whose text begins at ``at``, and where to continue."""
         lost = ""
+        own = bool(self.own_display(opening))
         try:
-            end, after = end_of_display(self.text, kind, at, stop)
+            if own:
+                end, after = self.end_of_own_display(kind, opening, at, stop)
+            else:
+                end, after = end_of_display(self.text, kind, at, stop)
         except NotClosedError as error:
             end, after, lost = at, at, str(error)
         text, long = self.text[at:end], end - at > MAX_DISPLAY
         labels = tuple(label.strip() for label in LABEL.findall(text))
         text = "" if long else text
+        if kind.startswith("dmath"):
+            text = _OPTIONS.sub("", text)
+        if own and not lost and not long:
+            text = self.around(opening, text, self.text[end:after])
         depth = 0
         for mark in re.finditer(r"\\.|[{}]", text):
             depth += (mark[0] == "{") - (mark[0] == "}")

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from tresym.reals.decisions.statement import functions
-from tresym.reals.language.calls import FACTORIAL
+from tresym.reals.language.calls import FACTORIAL, ROUNDED
 from tresym.reals.language.expression import Expr
 from tresym.reals.language.latex_author import Author
 from tresym.reals.language.latex_cursor import Cursor, is_letter
@@ -84,7 +84,7 @@ def is_plain(term: Sequence[str]) -> bool:
 
 def unknown_in(*trees: Expr) -> set[str]:
     """Return the names of the arbitrary functions in the expressions."""
-    return {str(f.args[0].args[0]) for e in trees for f in functions(e)} - {FACTORIAL}
+    return {str(f.args[0].args[0]) for e in trees for f in functions(e)} - {FACTORIAL, *ROUNDED}
 
 
 def read_term(tokens: Sequence[str], author: Author) -> Piece:

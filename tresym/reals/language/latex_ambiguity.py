@@ -80,6 +80,8 @@ def is_product(cursor: Cursor, name: str, inner: Piece) -> bool:
     if name in LETTERS_OF_FUNCTIONS - FORCES or not cursor.author:
         return name not in LETTERS_OF_FUNCTIONS and (inner.strength == 0 or raised)
     lower = len(name) == 1 and name.islower()
+    if cursor.tokens[cursor.at - 3 : cursor.at : 2] == ["[", "]"]:
+        return False  # d[n], a value in a list
     if name in cursor.author.numbers:
         return True
     if name in inner.names:

@@ -404,8 +404,6 @@ def read_bracket(cursor: Cursor) -> Piece:
         return read_coefficient(cursor)
     start, opening, piece = cursor.at, cursor.peek(), read_enclosed(cursor)
     if opening in ROUNDING:
-        if cursor.author:
-            cursor.refuse(f"{opening} is not read,")
         return Piece(call(ROUNDING[opening], [piece.tree]))
     if opening == "[" and cursor.peek() == "_":
         return read_values_at(cursor, piece.tree)
@@ -416,11 +414,13 @@ def read_bracket(cursor: Cursor) -> Piece:
 
 def is_coefficient(cursor: Cursor) -> bool:
     """Return whether ``[z^n]`` before a factor begins here, with a letter for n."""
-    if cursor.author or cursor.peek() != "[" or cursor.peek(2) != "^":
+    if cursor.peek() != "[" or cursor.peek(2) != "^":
         return False
     inside = cursor.tokens[cursor.at + 3 : cursor.partner(cursor.at)]
     after = cursor.tokens[cursor.partner(cursor.at) + 1 :][:1]
     ends = (*CLOSING, *RELATIONS, *STOPS, *OPERATORS, "_")
+    if cursor.author and len(inside) > 1 and (inside[0], inside[-1]) != ("{", "}"):
+        return False
     return bool(after) and after[0] not in ends and bool({*inside} & {"n", "k", "m", "N"})
 
 
