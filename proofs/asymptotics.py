@@ -27,6 +27,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+from tresym.proofs import power_series, sweeps
 from tresym.proofs.axioms import DOUBLE_SERIES
 from tresym.proofs.conditions import auxiliary, defect, later, shape
 from tresym.proofs.monotonicity import slope_in_T_positive
@@ -62,14 +63,7 @@ from tresym.proofs.near import (
     turn_logarithm,
     within,
 )
-from tresym.proofs.power_series import (
-    coefficient_sizes,
-    geometric_tail,
-    lagrange_step,
-    stays_inside,
-)
 from tresym.proofs.separatrix import defect_range, flip_defect, vanishing_share
-from tresym.proofs.sweeps import newton_4, newton_pi, sweep_from_pi
 
 from tresym.ledger.evidence.asymptotics import t
 from tresym.ledger.vocabulary import *
@@ -234,7 +228,14 @@ second_order = below(
 )
 second_order_too_small = _too_small(second_order, "2.96", _second, epsilon_star**4, a="1/4", b=1)
 
-_BY_SERIES: dict[str, Any] = {"also": coefficient_sizes, "quotes": (DOUBLE_SERIES,)}
+COEFFICIENT_SIZES = (
+    power_series.cotangent_series,
+    power_series.cosecant_series,
+    power_series.exponent_slope,
+)
+"""What bounds the coefficients of Q."""
+
+_BY_SERIES: dict[str, Any] = {"also": COEFFICIENT_SIZES, "quotes": (DOUBLE_SERIES,)}
 """The bounds whose margins hold what a power series of Q leaves out."""
 
 _third = _second - c2 * epsilon_star**4
@@ -290,7 +291,13 @@ terms_decrease = bound(
 every_order = Claim(
     says="For ab ≥ 1/4: |ε₀/ε* − Σ_{n≤N} c_n ε*²ⁿ| ≤ 4^{−N}/(2N + 3) for every N = 0, 1, 2, …",
     kind="bound",
-    proof=in_words(terms_decrease, *coefficient_sizes, lagrange_step, stays_inside, geometric_tail),
+    proof=in_words(
+        terms_decrease,
+        *COEFFICIENT_SIZES,
+        power_series.lagrange_step,
+        power_series.stays_inside,
+        power_series.geometric_tail,
+    ),
     note="c_n = [wⁿ] exp((2n + 1)Q)/(2n + 1), w = e². The terms are at most 2.6 τⁿ/(2n + 1) with "
     "τ ≤ 1/4, and their sum solves the equation of ε₀.",
     quotes=(DOUBLE_SERIES,),
@@ -474,7 +481,7 @@ one_line_too_small = too_small(
     one_line,
     "0.027",
     lambda limit: _sweep_error <= limit,
-    using=(flip_defect, sweep_from_pi),
+    using=(flip_defect, sweeps.sweep_from_pi),
     a="1/800",
     b="1/2",
 )
@@ -546,7 +553,7 @@ newton_from_above = _newton_beyond("newton_from_above", x - T, -1, (T, x))
 
 newton_line = _improved(
     "newton_line",
-    newton_pi,
+    Symbol("epsilon_pi2", real=True),
     lambda m: m.pi,
     "0.0001",
     (pi_readings, newton_beyond_pi),
@@ -554,7 +561,7 @@ newton_line = _improved(
 )
 balanced_newton = _improved(
     "balanced_newton",
-    newton_4,
+    Symbol("epsilon_42", real=True),
     lambda m: fmpq(4),
     "0.000004",
     (four_readings, newton_beyond_four),
@@ -596,7 +603,7 @@ swept_phase_below = Claim(
 one_line_side = Claim(
     says=epsilon_pi > epsilon0,
     given=shape,
-    proof=by(substituting(sweep_from_pi, defect_by_phase), citing(swept_phase_below)),
+    proof=by(substituting(sweeps.sweep_from_pi, defect_by_phase), citing(swept_phase_below)),
     note="The phase P = π + arctan(r tanh kP) exceeds π, so P₁ = π + arctan(r tanh kπ) < P.",
 )
 

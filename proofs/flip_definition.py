@@ -13,9 +13,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from tresym.proofs import flip_dynamics
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import STANDARD, shape
-from tresym.proofs.flip_dynamics import d19, eq_dpsidphi
 from tresym.proofs.regimes import rotating_speed
 from tresym.proofs.separatrix import d36, d37, one_flip_defect, stable_equation
 
@@ -45,7 +45,7 @@ full_turn = Claim(
 flip_angle = Claim(says=equal(Delta_psi, psi_f - psi0), proof=Definition())
 
 integrand_of_the_turn = Claim(
-    **jointly(eq_dpsidphi, d19),
+    **jointly(flip_dynamics.eq_dpsidphi, flip_dynamics.d19),
     where=line(201),
 )
 
@@ -53,7 +53,7 @@ integrand_of_the_turn = Claim(
 
 _inside = (psi > -pi / 2, psi < pi / 2, cos(psi) > 0)
 
-d33 = Claim(**jointly(d19), where=display(33))
+d33 = Claim(**jointly(flip_dynamics.d19), where=display(33))
 
 elementary_at_the_top = Claim(
     says=equal(

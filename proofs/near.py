@@ -15,11 +15,11 @@ from dataclasses import replace
 from typing import Any
 
 from sympy import Mul, Pow
+from tresym.proofs import sweeps
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import arctangent_above
 from tresym.proofs.on_the_separatrix import angle_below_tangent, hyperbolic_sine_at_most
 from tresym.proofs.separatrix import defect_range, flip_defect
-from tresym.proofs.sweeps import newton_from_four, newton_from_pi, sweep_from_four, sweep_from_pi
 
 from tresym.ledger.evidence.chart_bounds import Reading
 from tresym.ledger.evidence.remainders import Remainder
@@ -428,8 +428,8 @@ def _sweep(
     return readings, (one, gained, two, beyond)
 
 
-_from_pi, misses_from_pi = _sweep(pi, sweep_from_pi, epsilon_pi)
-_from_four, misses_from_four = _sweep(Integer(4), sweep_from_four, epsilon_4)
+_from_pi, misses_from_pi = _sweep(pi, sweeps.sweep_from_pi, epsilon_pi)
+_from_four, misses_from_four = _sweep(Integer(4), sweeps.sweep_from_four, epsilon_4)
 
 tangent_in_kappa = Reading(
     charts.tangent_by_kappa, (*BY_KAPPA, P), 1 / _w, shape, cited=(phase_range,)
@@ -635,14 +635,18 @@ def _newton(
 
 
 pi_readings, newton_beyond_pi = _newton(
-    "newton_pi", pi, lambda m: m.pi, (_from_pi, misses_from_pi[1]), newton_from_pi
+    "newton_pi",
+    pi,
+    lambda m: m.pi,
+    (_from_pi, misses_from_pi[1]),
+    (sweeps.phase_from_pi, sweeps.defect_from_pi),
 )
 four_readings, newton_beyond_four = _newton(
     "newton_four",
     Integer(4),
     lambda m: fmpq(4),
     (_from_four, misses_from_four[1]),
-    newton_from_four,
+    (sweeps.phase_from_four, sweeps.defect_from_four),
 )
 
 # -- bounds for every shape ----------------------------------------------------------------------

@@ -13,9 +13,9 @@ to the exact equation, there is a claim for each interpretation.
 
 from __future__ import annotations
 
+from tresym.proofs import flip_dynamics
 from tresym.proofs.conditions import STANDARD, defect, shape, shape_of_a_body, standard_racket
 from tresym.proofs.euler_angles import d08, elimination_of_time
-from tresym.proofs.flip_dynamics import d19, sign_of_tilt
 from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.orders import remark1
@@ -158,14 +158,14 @@ upper_level_exact = number(
     TheRoot(*one_rotating_level.statement.args),
     "1.04e-2",
     _UPPER,
-    *(d08, one_rotating_level, d19),
+    *(d08, one_rotating_level, flip_dynamics.d19),
 )
 upper_level = number(
     "For the standard racket ε = −π/12 at γ = {}.",
     TheRoot(*one_rotating_level.statement.args),
     "1.09e-2",
     _UPPER,
-    *(d08, one_rotating_level, d19),
+    *(d08, one_rotating_level, flip_dynamics.d19),
     expect=Verdict.REFUTED,
     amended_by=(upper_level_exact, upper_level_linear),
     note="The number is that of the linear formula.",
@@ -184,7 +184,7 @@ lower_level = number(
     TheRoot(*one_turned_level.statement.args),
     "-4.2e-3",
     _LOWER,
-    *(d08, one_turned_level, d19),
+    *(d08, one_turned_level, flip_dynamics.d19),
     where=line(262),
     note=(
         "Below γ* = −0.00348 the sign S changes during the motion, "
@@ -479,7 +479,7 @@ separatrix_curve = Claim(
         b * sin(psi) ** 2 * (a + b * sin(psi) ** 2) / (1 - b * sin(psi) ** 2) ** 2,
     ),
     given=(*shape_of_a_body, cos(theta) ** 2 > 0),
-    proof=by(substituting(sign_of_tilt), roots),
+    proof=by(substituting(flip_dynamics.sign_of_tilt), roots),
     where=line(288),
     note="The dotted line of the contour plot.",
 )

@@ -10,10 +10,10 @@
 
 from __future__ import annotations
 
+from tresym.proofs import flip_dynamics
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import defect, ordered_moments, shape, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import precession_rate
-from tresym.proofs.flip_dynamics import eq_dpsidphi, moving, sign_of_tilt
 from tresym.proofs.phase_portraits import separatrix_moves
 from tresym.proofs.regimes import planar_system, separatrix_case
 
@@ -28,8 +28,8 @@ _slow, _fast = 1 - b * _square, a + b * _square
 
 level_of_a_start = Claim(
     says=equal(dpsi_dphi**2 * _slow**2 / _fast - b * _square, gamma),
-    given=(*tilted, *moving),
-    proof=by(substituting(eq_dpsidphi, sign_of_tilt), roots),
+    given=(*tilted, *flip_dynamics.moving),
+    proof=by(substituting(flip_dynamics.eq_dpsidphi, flip_dynamics.sign_of_tilt), roots),
     where=line(198),
     note="γ tends to 0 with ψ₀ and the initial rate: such starts are close to the separatrix.",
 )

@@ -11,6 +11,7 @@
   and `tilt_bounds_oscillating`.
 """
 
+from tresym.proofs import flip_dynamics
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import (
@@ -20,7 +21,6 @@ from tresym.proofs.euler_angles import (
     planar_rates,
     planar_variables,
 )
-from tresym.proofs.flip_dynamics import eq_dpsidphi
 from tresym.proofs.regimes import (
     depth_at_e3,
     handle_crosses,
@@ -51,7 +51,7 @@ sign_constant_rotating = Claim(
 )
 
 second_equation_enough = Claim(
-    **jointly(gamma_conserved, eq_dpsidphi),
+    **jointly(gamma_conserved, flip_dynamics.eq_dpsidphi),
     where=line(143),
 )
 

@@ -10,8 +10,8 @@
 - `S_drops_out`: the sign S does not matter for dε/dγ.
 """
 
+from tresym.proofs import flip_dynamics
 from tresym.proofs.conditions import defect, shape
-from tresym.proofs.flip_dynamics import sign_of_tilt
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -211,7 +211,7 @@ S_drops_out = Claim(
         * printed.turn_slope_asymptotic(epsilon, a, b, 1, sympy),
     ),
     given=(*shape, b < 1, *defect, cos(theta) ** 2 > 0),
-    proof=by(substituting(sign_of_tilt), roots),
+    proof=by(substituting(flip_dynamics.sign_of_tilt), roots),
     where=line(417),
 )
 

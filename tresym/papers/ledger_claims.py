@@ -76,10 +76,11 @@ from tresym.ledger.statements import (
     Rounds,
     StrictlyDecreasing,
     StrictlyIncreasing,
+    Under,
 )
 from tresym.papers.definitions import Definition as Abbreviation
 from tresym.papers.reading import DEFINED, OwnPaper, Reader, near
-from tresym.reals.language.brackets import split
+from tresym.reals.language.brackets import encloses, split
 from tresym.reals.language.compound import (
     Count,
     Equivalent,
@@ -404,6 +405,9 @@ class _Reader(Reader):
         """The statement of a text, and the steps of a chain between its two sides."""
         if match := _PRINTED.fullmatch(text):
             return Rounds(to_sympy(_named(self._tree(match[1]))), match[2]), ()
+        if encloses(text) and (parts := split(text[1:-1], r"\bgiven\b"))[1:]:
+            says, steps = self._says(parts[0].strip())
+            return Under(says, Tuple(*self._given(parts[1]))), steps
         whole = read_compound(self._called(text))
         if whole is not None:
             return self._formula_of(mapped(whole.formula, self._put)), ()
@@ -432,6 +436,8 @@ class _Reader(Reader):
             raise InputError("this form of a claim is not read in a paper of the ledger yet")
         relations = [self._relation(link) for link in formula.comparisons]
         says = relations[0] if len(relations) == 1 else Tuple(*relations)
+        if formula.given:
+            says = Under(says, Tuple(*map(self._relation, formula.given)))
         return ForSome(says) if isinstance(formula, Somewhere) else says
 
     def _tree(self, text: str) -> Expr:
