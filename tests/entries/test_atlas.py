@@ -274,7 +274,7 @@ def test_the_command_explains_an_entry(capsys: pytest.CaptureFixture[str]) -> No
 def test_the_command_draws_the_error_of_an_entry(tmp_path: Path) -> None:
     """Also where it decays like exp(-x**2); a bound without O has no chart."""
     assert main(["atlas", "erfc-lead", "--chart", str(tmp_path / "erfc.svg")]) == 0
-    assert "Smallest constant on x &gt; 0" in (tmp_path / "erfc.svg").read_text(encoding="utf-8")
+    assert "smallest constant on x &gt; 0" in (tmp_path / "erfc.svg").read_text(encoding="utf-8")
     assert main(["atlas", "jordan", "--chart", str(tmp_path / "jordan.svg")]) == 2
     assert not (tmp_path / "jordan.svg").exists()
 

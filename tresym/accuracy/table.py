@@ -23,11 +23,17 @@ FORMATS = ("text", "markdown", "latex", "csv", "html")
 _RAISED = str.maketrans("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺")
 _NUMBER = re.compile(r"([-+]?\d+(?:\.\d+)?)(?:e([-+]?\d+))?( %)?")
 _SPECIAL = re.compile(r"([\\`*_{}\[\]<>#|$~])")
+_POWER = re.compile(r"\*\*(?:(\d+)(?!\d)|\((-?\d+)\))")
+_NAMES = "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau"
+_GREEK = dict(
+    zip([*_NAMES.split(), "phi", "chi", "psi", "omega"], "αβγδεζηθικλμνξπρστφχψω", strict=True)
+)
 _LATEX = {
     "\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
-    "−": "$-$", "ε": r"$\varepsilon$", "π": r"$\pi$", "γ": r"$\gamma$", "∞": r"$\infty$",
+    "−": "$-$", "∞": r"$\infty$",
     "≤": r"$\le$", "≥": r"$\ge$", "→": r"$\to$", "·": r"$\cdot$", "±": r"$\pm$",
 } | {c: rf"\{c}" for c in "&%$#_{}"}  # fmt: skip
+_LATEX |= {sign: rf"$\{name}$" for name, sign in _GREEK.items()} | {"ε": r"$\varepsilon$"}
 Words = Callable[[str], str]
 """Converts plain text to the text of a format."""
 
@@ -41,6 +47,28 @@ class Table(NamedTuple):
     name: str = ""
     keys: int = 1
     """The number of columns at the left that identify a row."""
+
+
+def raised(text: str) -> str:
+    """Return a formula in signs of print: raised exponents, Greek letters, and no stars.
+
+    Example:
+        >>> raised("2*eps**3 + pi/sqrt(lambda_)")
+        '2 ε³ + π/sqrt(λ)'
+    """
+    found = re.sub(r"\b[A-Za-z_]\w*\b(?!\()", lambda word: letter(word[0]), text)
+    found = _POWER.sub(lambda n: (n[1] or n[2]).translate(_RAISED), found)
+    return found.replace("**", "^").replace("*", " ")
+
+
+def letter(name: str) -> str:
+    """Return a name as it is printed: a Greek letter by its sign; other names unchanged.
+
+    Example:
+        >>> letter("lambda_"), letter("e")
+        ('λ', 'e')
+    """
+    return _GREEK.get({"eps": "epsilon", "varepsilon": "epsilon"}.get(name, name.rstrip("_")), name)
 
 
 def latex_text(text: str) -> str:

@@ -75,9 +75,24 @@ def transcript(command: str) -> str:
     lines = _TIME.sub("…", printed.getvalue()).rstrip().splitlines()
     if words[:1] in (["check"], ["explain"]):
         lines = [part for line in lines for part in _wrapped(line)]
-    if len(command) > COLUMNS:  # its options go on lines of their own
-        command = command.replace(" --", " \\\n    --")
-    return "\n".join([f"$ {command}", *lines, ""])
+    return "\n".join([f"$ {on_lines(command)}", *lines, ""])
+
+
+def on_lines(command: str) -> str:
+    """Return a command on lines that fit a box of the site, its options on lines of their own."""
+    if len(command) <= COLUMNS:
+        return command
+    return "\n".join(
+        part for line in command.replace(" --", " \\\n    --").split("\n") for part in _broken(line)
+    )
+
+
+def _broken(line: str) -> Iterator[str]:
+    """Break a line that is still too long between its quoted arguments."""
+    while len(line) > COLUMNS and (at := line.rfind("' ", 0, COLUMNS - 2)) > 0:
+        yield f"{line[: at + 1]} \\"
+        line = f"    {line[at + 2 :]}"
+    yield line
 
 
 def _wrapped(line: str) -> Iterator[str]:

@@ -17,12 +17,20 @@ from sphinx.errors import ExtensionError
 from sphinx.util.docutils import SphinxDirective
 from sphinx.writers.html5 import HTML5Translator
 
+from tresym.manuscript.deciding import Row, decided
+from tresym.manuscript.links import read_links
+from tresym.manuscript.source import read_manuscript
+from tresym.manuscript.suspects import proofread
+from tresym.reals.language.expression import symbols
+from tresym.reals.language.readings import in_latex
 from tresym.reals.numbers.exact import InputError
 from tresym.report.charts import CHARTS, conclusion
 from tresym.report.pages import opened
+from tresym.report.pages.explanation import explain
 from tresym.report.typesetting.formulas import Piece, pieces
+from tresym.report.typesetting.formulas_in_words import parts
 from tresym.site import atlas, claims, commands, docstrings, mathematics, search, sources
-from tresym.site.markdown import statement, titled
+from tresym.site.markdown import badge, statement, titled
 
 BUILT = "_built"
 """The folder for style sheets that the build writes; like claims/, it is not versioned."""
@@ -304,9 +312,64 @@ class DrawDirective(SphinxDirective):
         except ValueError as error:
             raise self.error(str(error)) from None
         shown = f'<div class="drawn">{text[text.index("<svg") :]}</div>'
-        asked = f"$ {command}"
+        asked = f"$ {commands.on_lines(command)}"
         block = nodes.literal_block(asked, asked, language="console")
         return [block, nodes.raw("", shown, format="html")]
+
+
+class ExplainDirective(SphinxDirective):
+    """The directive ``{explain} CLAIM``: the verdict on a claim, typeset, with a picture."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
+
+    def run(self) -> list[nodes.Node]:
+        """Return the command, and the explanation in a frame."""
+        claim = self.arguments[0]
+        try:
+            found = explain(claim)
+        except InputError as error:
+            raise self.error(str(error)) from None
+        asked = f"$ tresym explain '{claim}'"
+        box = nodes.container(classes=["claim"])
+        box += self.parse_text_to_nodes(with_badges(found.markdown()))
+        box += nodes.raw("", f'<div class="drawn">{found.picture()}</div>', format="html")
+        return [nodes.literal_block(asked, asked, language="console"), box]
+
+
+def with_badges(text: str) -> str:
+    """Return Markdown with the verdicts in their colours."""
+    return re.sub(r"\b(PROVED|ENCLOSED|REFUTED|UNDECIDED)\b", lambda word: badge(word[0]), text)
+
+
+class ManuscriptDirective(SphinxDirective):
+    """The directive ``{manuscript} FILE.tex``: the formulas that fail, typeset."""
+
+    required_arguments = 1
+
+    def run(self) -> list[nodes.Node]:
+        """Return the command, and for each failing formula its line, why, and what is true."""
+        path = Path(self.env.srcdir) / self.arguments[0]
+        self.env.note_dependency(str(path))
+        rows = proofread(decided(read_links(read_manuscript(path)), 5.0))
+        text = "\n\n".join(_failing(row, path.name) for row in rows if row.status == "REFUTED")
+        if not text:
+            raise self.error(f"{path.name}: no formula fails")
+        asked = f"$ tresym paper docs/{self.arguments[0]}"
+        box = nodes.container(classes=["claim"])
+        box += self.parse_text_to_nodes(with_badges(text))
+        return [nodes.literal_block(asked, asked, language="console"), box]
+
+
+def _failing(row: Row, name: str) -> str:
+    shown = in_latex(row.refuted or row.link.read_as)
+    text = f"REFUTED in line {row.link.display.line} of `{name}`:\n\n$$\n{shown}\n$$\n\n"
+    sides = row.link.sides
+    why = parts(row.why, symbols(sides[0]) | symbols(sides[2]) if sides else ())
+    text += "".join(f"${part}$" if is_formula else part for part, is_formula in why) + "."
+    if row.instead:
+        text += f"\n\nTrue instead:\n\n$$\n{in_latex(row.instead[0].claim)}\n$$\n"
+    return text
 
 
 class NotebookDirective(SphinxDirective):
@@ -362,6 +425,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_directive("run", RunDirective)
     app.add_directive("draw", DrawDirective)
     app.add_directive("paper", PaperDirective)
+    app.add_directive("explain", ExplainDirective)
+    app.add_directive("manuscript", ManuscriptDirective)
     app.add_directive("notebook", NotebookDirective)
     app.add_css_file("mathematics.css")
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -10,7 +10,9 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 from xml.sax.saxutils import escape
 
+from tresym.accuracy.table import raised
 from tresym.reals.numbers.exact import InputError
+from tresym.reals.verdict import Verdict
 from tresym.report.charts.common import (
     BLACK,
     BLUE,
@@ -205,11 +207,13 @@ def error_chart(
         sentences.append(f"The errors of {', '.join(functions)} are sampled at these points alone.")
     for table in (one.table for one in found):
         if table.claim is not None:
-            claim = table.claim.read_as or table.claim.statement
-            sentences.append(f"{table.claim.verdict.value}: {claim}.")
-        if table.constant is not None:
-            ends = f"between {table.constant.low} and {table.constant.high}"
-            sentences.append(f"Smallest constant on {table.constant.region}: {ends}.")
+            order = f"{table.claim.verdict.value}: the error of {raised(table.approx)} is "
+            order += "not " if table.claim.verdict is Verdict.REFUTED else ""
+            sentence = f"{order}O({raised(table.gauge)})"
+            if table.constant is not None:
+                ends = f"between {table.constant.low} and {table.constant.high}"
+                sentence += f"; smallest constant on {table.constant.region}: {ends}"
+            sentences.append(f"{sentence}.")
     caption = " ".join(sentences)
     shown = title if len(title) <= 80 else title[:77] + "…"
     return lambda kind: saved(

@@ -101,7 +101,14 @@ class Explanation:
         text = self._lines(_formula, _typeset, "**{}**", _in_html)
         if not with_claim:
             next(text)
-        return "\n".join([*_paragraphs(text), _picture(self.answer)])
+        return "\n".join([*_paragraphs(text), self.picture()])
+
+    def picture(self) -> str:
+        """Return a curve on the way to the end, as SVG: the ratio, or what has a limit.
+
+        It is empty where there is nothing to draw, and a sentence without matplotlib.
+        """
+        return _picture(self.answer)
 
     def _lines(
         self,
@@ -269,10 +276,6 @@ def _compared(answer: Answer) -> Iterator[tuple[str, ...]]:
 
 
 def _picture(answer: Answer) -> str:
-    """Return the picture of the ratio, or of what has a limit, along the path, as SVG.
-
-    Without matplotlib, and where there is nothing to draw, it is a sentence or empty.
-    """
     sides = _sides(answer)
     if sides is None:
         return ""

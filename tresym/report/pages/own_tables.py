@@ -6,15 +6,14 @@ import math
 import re
 from typing import Any
 
-from tresym.accuracy.table import Table, latex_text, written
+from tresym.accuracy.table import Table, latex_text, letter, raised, written
 from tresym.papers.error_rows import chart_points, error_rows, rounded, sides_of
 from tresym.papers.reading import Drawn, OwnPaper, PaperClaim
 from tresym.reals.language.paths import read_path
 from tresym.reals.numbers.exact import InputError
 
-_SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
-_RAISED = str.maketrans("0123456789", _SUPERSCRIPTS)
-_PLAIN = str.maketrans(_SUPERSCRIPTS, "0123456789")
+_SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"
+_PLAIN = str.maketrans(_SUPERSCRIPTS, "0123456789-")
 FORMS = {"article": "latex", "beamer": "latex", "html": "html", "site": "html"}
 """The format of tables in a document of a style; Markdown in the others."""
 FEW = 4
@@ -31,8 +30,8 @@ def error_table(paper: OwnPaper, drawn: Drawn) -> Table:
     rows = list(error_rows(claim, drawn))
     names = [value.name for value in rows[0].at]
     _, _, gauge = sides_of(claim)
-    heads = [*names, "exact", "approximation", "error", "relative error"]
-    heads += [f"error/({in_signs(str(gauge))})"] if gauge is not None else []
+    heads = [*map(letter, names), "exact", "approximation", "error", "relative error"]
+    heads += [f"error/({raised(str(gauge))})"] if gauge is not None else []
     digits, few = drawn.digits, min(FEW, drawn.digits)
     body = []
     for row in rows:
@@ -43,17 +42,6 @@ def error_table(paper: OwnPaper, drawn: Drawn) -> Table:
         body.append(tuple(cells))
     caption = f"Errors of {drawn.label}. Every digit is certified by a ball."
     return Table(caption, tuple(heads), tuple(body), f"{drawn.label}-errors", len(names))
-
-
-def in_signs(text: str) -> str:
-    """Return a formula with raised exponents and without stars.
-
-    Example:
-        >>> in_signs("2*e**3")
-        '2 e³'
-    """
-    raised = re.sub(r"\*\*(\d+)", lambda found: found[1].translate(_RAISED), text)
-    return raised.replace("**", "^").replace("*", " ")
 
 
 def latex_words(text: str) -> str:
