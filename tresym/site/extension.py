@@ -365,7 +365,9 @@ def _failing(row: Row, name: str) -> str:
     shown = in_latex(row.refuted or row.link.read_as)
     text = f"REFUTED in line {row.link.display.line} of `{name}`:\n\n$$\n{shown}\n$$\n\n"
     sides = row.link.sides
-    why = parts(row.why, symbols(sides[0]) | symbols(sides[2]) if sides else ())
+    why = parts(
+        row.why[:1].upper() + row.why[1:], symbols(sides[0]) | symbols(sides[2]) if sides else ()
+    )
     text += "".join(f"${part}$" if is_formula else part for part, is_formula in why) + "."
     if row.instead:
         text += f"\n\nTrue instead:\n\n$$\n{in_latex(row.instead[0].claim)}\n$$\n"
