@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from html import escape
 
 LONGEST = 160
@@ -31,9 +31,20 @@ def abbreviated(text: str) -> str:
     )
 
 
-def html_table(head: str, rows: Iterable[tuple[str, ...]]) -> str:
-    """Return HTML with a heading in bold and a small table of text below it."""
+def html_table(
+    head: str,
+    rows: Iterable[tuple[str, ...]],
+    shown: Callable[[str, str], str] = lambda name, text: escape(text),
+) -> str:
+    """Return HTML with a heading in bold and a small table of text below it.
+
+    Args:
+        head: the heading.
+        rows: the cells of each row, the first of which is its name.
+        shown: returns a cell in HTML, from the name of its row and its text.
+    """
     lines = (
-        "".join(f"<td style='text-align:left'>{escape(cell)}</td>" for cell in row) for row in rows
+        "".join(f"<td style='text-align:left'>{shown(row[0], cell)}</td>" for cell in row)
+        for row in rows
     )
     return f"<b>{escape(head)}</b><table>{''.join(f'<tr>{line}</tr>' for line in lines)}</table>"

@@ -146,3 +146,12 @@ def test_notebooks_get_text_that_is_escaped() -> None:
 
 def test_time_does_not_tell_answers_apart() -> None:
     assert Answer(Verdict.PROVED, "why", seconds=1) == Answer(Verdict.PROVED, "why", seconds=2)
+
+
+def test_notebooks_show_formulas_typeset_and_what_has_no_typesetting_as_text() -> None:
+    shown = Answer(Verdict.REFUTED, "why", statement="x**2 < 3*x", witness={"x": "4"})._repr_html_()
+    assert "<msup>" in shown
+    assert 'title="x**2 &lt; 3*x"' in shown
+    shown = Answer(Verdict.PROVED, "why", statement="x == 1 <=> <b>")._repr_html_()
+    assert "<math>" not in shown
+    assert "&lt;b&gt;" in shown

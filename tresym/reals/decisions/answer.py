@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import decimal
+import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass, field
+from html import escape
 from typing import Any, NamedTuple
 
 from flint import arb, fmpq
@@ -14,7 +16,7 @@ from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import Expr
-from tresym.reals.language.readings import in_latex
+from tresym.reals.language.readings import in_latex, in_mathml
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.notebook import abbreviated, html_table, in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -254,11 +256,27 @@ class Answer:
 
     def _repr_html_(self) -> str:
         """A small table for notebooks."""
-        return html_table(self.verdict.value, self.rows())
+        return html_table(self.verdict.value, self.rows(), _typeset)
 
     def _repr_latex_(self) -> str:
         """The verdict, with the claim as it was read."""
         return rf"$\textbf{{{self.verdict.value}}}:\ {in_latex(self.read_as)}$"
+
+
+_FORMULAS = ("claim", "read as", "given", "region")
+"""The rows whose text is a formula."""
+_INSTEAD = re.compile(r"([A-Z]+: )(.*?)( \(.*\))")
+
+
+def _typeset(name: str, text: str) -> str:
+    """Return a cell for notebooks: its formula as MathML, with the text itself on hovering."""
+    if text == name:
+        return escape(text)
+    if name == "instead" and (found := _INSTEAD.fullmatch(text)):
+        before, claim, after = found.groups()
+        return f"{escape(before)}{_typeset('claim', claim)}{escape(after)}"
+    shown = in_mathml(text) if name in _FORMULAS else ""
+    return f'<span title="{escape(text)}">{shown}</span>' if shown else escape(text)
 
 
 Decide = Callable[[Comparison, Statement], Answer]

@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import re
+from html import escape
 from typing import Any
 
 from tresym.reals.language.claims import Written, as_written, parts_of
@@ -15,7 +16,7 @@ from tresym.reals.language.compound import (
     path_in_latex,
     read_compound,
 )
-from tresym.reals.language.typesetting import to_latex
+from tresym.reals.language.typesetting import to_latex, to_mathml
 from tresym.reals.language.variable_names import explain, without_declaration
 from tresym.reals.numbers.exact import InputError
 
@@ -50,6 +51,22 @@ def in_latex(text: str) -> str:
         shown = to_latex(comparisons)
     shown += rf" \quad ({to_latex(given)})" if given else ""
     return shown if path is None else rf"{shown} \quad ({path_in_latex(path)})"
+
+
+def in_mathml(text: str) -> str:
+    """Return a claim, or conditions, in the grammar of text as MathML in a line.
+
+    It is empty for a claim that is made of claims, and for what cannot be read.
+    """
+    try:
+        if read_compound(text) is not None:
+            return ""
+        comparisons, given, path, _, _ = as_written(text, "", None)
+    except InputError:
+        return ""
+    shown = to_mathml(comparisons, block=False)
+    shown += f" given {to_mathml(given, block=False)}" if given else ""
+    return shown if path is None else f"{shown} as {escape(str(path))}"
 
 
 _NOTHING = Written((), (), None)
