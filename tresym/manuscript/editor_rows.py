@@ -59,15 +59,19 @@ def _value(row: Row, alone: bool) -> dict[str, Any]:
     }
 
 
+def _tell(row: dict[str, Any]) -> None:
+    print(json.dumps({"row": row}), flush=True)
+
+
 def main() -> int:
-    """Answer the question on standard input."""
+    """Answer the question on standard input: rows as they are known, and last all of them."""
     end_with_parent(os.getppid())
     asked = json.loads(sys.stdin.buffer.read())
     answer: dict[str, Any]
     try:
         path, limit = Path(asked["path"]), float(asked["limit"])
         if path.suffix == ".tresym":
-            rows = claims_file_rows(path.name, asked["text"], limit, path.parent)
+            rows = claims_file_rows(path.name, asked["text"], limit, path.parent, _tell)
         else:
             rows = editor_rows(path, asked["text"], limit)
         answer = {"rows": rows}

@@ -29,6 +29,8 @@ from tresym.manuscript.protocol_input import ProtocolInput
 
 PAUSE = 0.1
 """Seconds without a change after which the text is checked."""
+LONGEST_LINE = 1 << 28
+"""Bytes of an answer at most; the last one has all rows of a text."""
 _SEVERITY = {
     "REFUTED": types.DiagnosticSeverity.Error,
     "UNREADABLE": types.DiagnosticSeverity.Error,
@@ -84,26 +86,54 @@ class ManuscriptServer(LanguageServer):
         now = self.workspace.get_text_document(uri)
         text, version = now.source, now.version
         path = uris.to_fs_path(uri) or "manuscript.tex"
+        unread: list[dict[str, Any]] = []
         if path.endswith(".tresym"):
-            await self._show_unread(uri, path, text, version)
+            unread = await self._show_unread(uri, path, text, version)
         asked = json.dumps({"path": path, "text": text, "limit": self.limit})
         process = await self._process()
         try:
-            out, _ = await process.communicate(asked.encode())
-            found = json.loads(out or b'{"error": "the manuscript could not be checked"}')
+            document.text, document.rows = text, unread
+            found = await self._answer(process, asked, uri, document, version)
         finally:
             self.checks.discard(process.pid)
             if process.returncode is None:
                 with suppress(ProcessLookupError):
                     process.kill()
         document.text, document.rows = text, found.get("rows", [])
-        own = [row for row in document.rows if not row["file"]]
-        diagnostics = [self._diagnostic(row, text) for row in own if row["status"] in _SEVERITY]
+        diagnostics = self._diagnostics(document)
         if "error" in found:
             diagnostics.append(_at(0, 0, found["error"], types.DiagnosticSeverity.Information))
         self._publish(uri, diagnostics, version)
 
-    async def _show_unread(self, uri: str, path: str, text: str, version: int | None) -> None:
+    async def _answer(
+        self,
+        process: asyncio.subprocess.Process,
+        asked: str,
+        uri: str,
+        document: _Document,
+        version: int | None,
+    ) -> dict[str, Any]:
+        """Ask a process for the rows of a text, and show the claims that fail as they come."""
+        assert process.stdin is not None
+        assert process.stdout is not None
+        process.stdin.write(asked.encode())
+        process.stdin.close()
+        while line := await process.stdout.readline():
+            found: dict[str, Any] = json.loads(line)
+            if "row" not in found:
+                return found
+            document.rows.append(found["row"])
+            if found["row"]["status"] in _SEVERITY:
+                self._publish(uri, self._diagnostics(document), version)
+        return {"error": "the manuscript could not be checked"}
+
+    def _diagnostics(self, document: _Document) -> list[types.Diagnostic]:
+        own = [row for row in document.rows if not row["file"]]
+        return [self._diagnostic(row, document.text) for row in own if row["status"] in _SEVERITY]
+
+    async def _show_unread(
+        self, uri: str, path: str, text: str, version: int | None
+    ) -> list[dict[str, Any]]:
         """Show the lines that cannot be read at once, before the claims are decided."""
         from tresym.papers.editor_rows import unread_rows
 
@@ -111,6 +141,7 @@ class ManuscriptServer(LanguageServer):
         rows = await asyncio.to_thread(unread_rows, file.name, text, file.parent)
         if rows:
             self._publish(uri, [self._diagnostic(row, text) for row in rows], version)
+        return rows
 
     async def _process(self) -> asyncio.subprocess.Process:
         """Return a process that waits for a text, and prepare the next one."""
@@ -135,6 +166,7 @@ class ManuscriptServer(LanguageServer):
                 stdin=asyncio.subprocess.PIPE,
                 stdout=asyncio.subprocess.PIPE,
                 stderr=asyncio.subprocess.DEVNULL,
+                limit=LONGEST_LINE,
                 env=self.environment,
             )
             self.checks.add(process.pid)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,11 @@ EXPECTED = "EXPECTED"
 
 
 def claims_file_rows(
-    name: str, text: str, limit: float, folder: Path | None = None
+    name: str,
+    text: str,
+    limit: float,
+    folder: Path | None = None,
+    on_row: Callable[[dict[str, Any]], None] = lambda row: None,
 ) -> list[dict[str, Any]]:
     """Return a row for each line that cannot be read, each definition and each claim.
 
@@ -23,10 +28,11 @@ def claims_file_rows(
         text: its text.
         limit: the seconds for each claim.
         folder: where the files are that it uses.
+        on_row: is called with the row of each claim as soon as it is decided.
     """
     paper = read_paper(text, name, folder)
     rows = _unread(paper, text)
-    report = verify_paper(paper, limit=limit)
+    report = verify_paper(paper, limit=limit, on_row=lambda row: on_row(_of_verdict(row)))
     return [*rows, *(_of_verdict(row) for row in report.rows)]
 
 
