@@ -1,4 +1,4 @@
-"""Orders of differences and quadratures for every smooth f: lists, leading errors and refusals."""
+"""Orders and error bounds of schemes for every smooth f: lists, leading errors and refusals."""
 
 from __future__ import annotations
 
@@ -8,9 +8,14 @@ import pytest
 
 import tresym
 
-LIST = Path(__file__).parent.parent / "data" / "asymptotics" / "schemes.txt"
+LISTS = Path(__file__).parent.parent / "data" / "asymptotics"
 VERDICTS = {"true": "PROVED", "false": "REFUTED", "open": "UNDECIDED"}
-LINES = [line for line in LIST.read_text().splitlines() if not line.startswith("#")]
+LINES = [
+    line
+    for name in ("schemes.txt", "peano.txt")
+    for line in (LISTS / name).read_text().splitlines()
+    if not line.startswith("#")
+]
 
 
 @pytest.mark.parametrize("line", LINES)

@@ -101,6 +101,8 @@ def attack(
     if statement.path is not None:
         against = _attack_order(comparison, statement, answer)
         return against or _attack_path(comparison, statement, statement.path)
+    if statement.bounds_derivatives:
+        return None  # they are bounded at all points, and are seen at one only
     claim = (comparison.left, comparison.relation, comparison.right)
     if any(DOTS.args[0] in symbols(e) for e in claim[::2]):
         return _attack_dots(comparison, statement)  # its coefficients were attacked themselves

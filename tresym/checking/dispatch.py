@@ -509,6 +509,13 @@ def _schemes(comparison: Comparison, statement: Statement, decided: Decide) -> A
     return found
 
 
+def _peano_kernels(comparison: Comparison, statement: Statement, decided: Decide) -> Answer:
+    from tresym.asymptotics.peano_kernels import decide_peano
+
+    found = decide_peano(comparison, statement, decided)
+    return _unknown_functions(comparison, statement, decided) if found is None else found
+
+
 def _recurrences(*claim: Any) -> Answer:
     from tresym.asymptotics.recurrences import decide_recurrence
 
@@ -721,6 +728,11 @@ ORDER: tuple[tuple[Procedure, Callable[[_Parts], bool], str], ...] = (
     (_finite_sums, lambda p: p.finite_sums, "induction leaves a claim without sums"),
     (_gamma_forms, lambda p: p.gammas, "n! is gamma(n + 1) beside integrals and gammas"),
     (_factorials, lambda p: FACTORIAL in p.unknown, "a recurrence leaves no factorials"),
+    (
+        _peano_kernels,
+        lambda p: p.statement.bounds_derivatives,
+        "a bound of a derivative at all points is none of values at the points that occur",
+    ),
     (_integer_variables, lambda p: bool(p.unknown) and p.at_integers, "f(n) is one value a case"),
     (_unknown_functions, lambda p: bool(p.unknown), "values of a function become variables"),
     (

@@ -80,6 +80,8 @@ def confirmed(answer: Answer, claim: Comparison, statement: Statement) -> Answer
         return answer  # the failure of the equation or of an initial value was confirmed itself
     if any(node.op == "root" for node in outermost(*sides)):
         return answer  # confirmed with a variable in place of the root, and by balls around it
+    if answer.lemma and statement.bounds_derivatives:
+        return answer  # the bound of the largest error was confirmed itself
     try:
         if any(text.startswith("[") for text in (answer.witness or {}).values()):
             _in_box(answer.witness or {}, claim, statement)

@@ -70,6 +70,12 @@ class Statement:
         )
 
     @property
+    def bounds_derivatives(self) -> bool:
+        """Whether derivatives of arbitrary functions are compared, as is meant for all points."""
+        sides = (e for link in self.given.comparisons for e in link[::2])
+        return any(any(f.args[0].args[1]) for e in sides for f in functions(e))
+
+    @property
     def implicit(self) -> bool:
         """Whether equations determine a variable as a function of that of the path."""
         path = self.path

@@ -418,7 +418,7 @@ def parse_given(text: str) -> list[Compared]:
             continue
         result += _chain(reader, part)
     result = [part for part in result if not _is_below_infinity(*part)]
-    result = [_slopes_at(*part) if part[1] == "==" else part for part in result]
+    result = [_slopes_at(*part) if _has_slopes(*part) else part for part in result]
     for left, relation, right in result:
         if (relation == "in" or right == INTEGERS) and (
             relation != "in" or right != INTEGERS or left.op != "symbol"
@@ -447,6 +447,19 @@ def without_order(e: Expr) -> Expr:
     terms = e.args if e.op == "+" else (e,)
     rest = [term for term in terms if term.op not in ("O", "o")]
     return e if len(rest) + 1 != len(terms) else add(*rest) if rest else number(0)
+
+
+def _has_slopes(left: Expr, relation: str, right: Expr) -> bool:
+    """Return whether a condition is an equation, or compares derivatives of arbitrary functions."""
+    found = [node for node in outermost(left, right) if node.op == "derivative"]
+    return relation == "==" or (bool(found) and all(map(_is_slope, found)))
+
+
+def _is_slope(e: Expr) -> bool:
+    """Return whether a derivative is one of an arbitrary function of plain variables."""
+    while e.op == "derivative":
+        e = e.args[0]
+    return e.op == "unknown" and all(arg.op in ("bound", "symbol") for arg in e.args[1:])
 
 
 def _slopes_at(left: Expr, relation: str, right: Expr) -> Compared:
