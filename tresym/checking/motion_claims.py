@@ -3,8 +3,8 @@
 - ``conserved(f) along …``: f is smooth, and its derivative along the motion, Σ F_i ∂f/∂x_i, is 0.
 - ``stable …``: the roots of the characteristic polynomial of the linearised system have negative
   real parts (Routh and Hurwitz), or a function V with a strict minimum at the equilibrium does not
-  grow along the motion (Lyapunov). V is the one named after ``by``, a square, or a first integral
-  of a plane system.
+  grow along the motion (Lyapunov). V is the one named after ``by``, a square, or made of functions
+  that the motion conserves (:mod:`tresym.checking.first_integrals`, energy–Casimir method).
 - ``unstable …``: a root has a positive real part, or a positive definite function grows along the
   motion (Lyapunov's first theorem on instability).
 - With one variable the first derivative of F that is not 0 decides.
@@ -20,17 +20,16 @@ from itertools import combinations, islice, product
 
 from flint import fmpq
 
+from tresym.checking.first_integrals import null_space, plane_integrals, quadratic_integrals
 from tresym.reals.decisions.answer import Answer, Obligation, refuted, worst
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import analytic_of, bound, needs, operations
 from tresym.reals.language.binders import derivative, elementary, worked_out
 from tresym.reals.language.expression import (
-    ONE,
     ZERO,
     Expr,
     add,
-    apply,
     multiply,
     number,
     substitute,
@@ -57,8 +56,6 @@ LARGEST = 4
 """The most variables whose characteristic polynomial is looked at."""
 ORDER = 7
 """The highest derivative that is worked out at an equilibrium of one variable."""
-TERMS = 60
-"""The most terms of a sum that is integrated."""
 NEAR = number(fmpq(1, 8))
 """How far from the equilibrium a function is looked at, where it is not looked at everywhere."""
 KINKS = frozenset(("abs", "sign", "atan2", "floor", "ceiling", "max", "min"))
@@ -345,7 +342,7 @@ class _Equilibrium:
         if found is None:
             sign = "<" if strictly else "<="
             found = self.by_functions(lambda v: self.lyapunov(v, sign))
-        return found
+        return self.by_polynomials() if found is None and not strictly else found
 
     def unstable(self) -> Answer | None:
         found = self.by_roots(True) or self.by_order(True, False)
@@ -380,22 +377,9 @@ class _Equilibrium:
             form = b * v * v + number(fmpq(2)) * a * u * v - c * u * u
             yield form
             yield -form
-        fx, fy = self.claim.rates
-        for factor in (ONE, ONE / symbol(x), ONE / symbol(y), ONE / (symbol(x) * symbol(y))):
-            if self.not_smooth((factor,)) is not None:
-                continue
-            p, q = factor * fx, factor * fy
-            gap = worked_out(derivative(p, x)) + worked_out(derivative(q, y))
-            if elementary(gap) and self.asked((gap, "==", ZERO), self.claim.given):
-                first = _antiderivative(p, y)
-                if first is None:
-                    continue
-                rest = -q - worked_out(derivative(first, x))
-                second = _antiderivative(substitute(rest, {y: self.place[y]}), x)
-                if second is not None:
-                    integral = in_lowest_terms(first + second)
-                    yield integral
-                    yield -integral
+        for integral in plane_integrals((x, y), self.claim.rates):
+            yield integral
+            yield -integral
 
     def lyapunov(self, v: Expr, sign: str) -> Answer | None:
         """Show that a function has a strict minimum there, and how it changes along the motion."""
@@ -411,6 +395,63 @@ class _Equilibrium:
         falls = {"<=": "does not grow", "<": "falls", ">": "grows"}[sign]
         why = f"{v} has a strict minimum there and {falls} along the motion"
         return _by("Lyapunov's function", why, [*minimum, change])
+
+    def by_polynomials(self) -> Answer | None:
+        """Show stability by polynomials that the motion conserves (energy–Casimir method).
+
+        If the gradient of a combination of them is 0 at the point, and its second derivatives are
+        positive definite where the gradients of all of them are 0, then the combination plus a
+        large multiple of the squares of their changes has a strict minimum.
+        """
+        names, rates = self.claim.names, self.claim.rates
+        integrals = quadratic_integrals(names, rates) if len(names) <= LARGEST else []
+        if not integrals or self.not_smooth(integrals) is not None:
+            return None
+        slopes = [
+            [in_lowest_terms(self.at(worked_out(derivative(h, name)))) for name in names]
+            for h in integrals
+        ]
+        tangent, divisors = null_space(slopes, len(names))
+        flat, _ = null_space(list(zip(*slopes, strict=True)), len(integrals))
+        for vector in flat:
+            for sign in (1, -1):
+                terms = (c * h for c, h in zip(vector, integrals, strict=True) if c != ZERO)
+                v = in_lowest_terms(number(fmpq(sign)) * add(*terms))
+                shown = self.minimum_on(v, tangent)
+                if shown is None or self.not_smooth((v,)) is not None:
+                    continue
+                asked = [self.asked((e, "!=", ZERO), self.outer) for e in divisors]
+                asked += [
+                    self.asked((along(h, names, rates), "==", ZERO), self.claim.given)
+                    for h in integrals
+                ]
+                if all(asked):
+                    why = f"{v} has a minimum there among the points with the values of what is "
+                    why += f"conserved, {', '.join(map(str, integrals))}"
+                    return _by("energy–Casimir method", why, [*shown, *asked])
+        return None
+
+    def minimum_on(self, v: Expr, tangent: Sequence[Sequence[Expr]]) -> list[Answer] | None:
+        """Show that the gradient of v is 0, and its second derivatives positive in directions."""
+        names = self.claim.names
+        slopes = [worked_out(derivative(v, name)) for name in names]
+        answers = [
+            self.asked((in_lowest_terms(self.at(e)), "==", ZERO), self.outer) for e in slopes
+        ]
+        second = [[self.at(worked_out(derivative(e, name))) for name in names] for e in slopes]
+        form = [
+            [
+                add(*(s * second[i][j] * t for i, s in enumerate(one) for j, t in enumerate(other)))
+                for other in tangent
+            ]
+            for one in tangent
+        ]
+        for k in range(1, len(form) + 1):
+            minor = in_lowest_terms(_determinant([row[:k] for row in form[:k]]))
+            answers.append(self.shown(minor, ">"))
+            if not answers[-1]:
+                return None
+        return answers if all(answers) else None
 
     def not_attracting(self, v: Expr) -> Answer | None:
         """Show that a conserved function has a strict minimum, so that nothing tends to it."""
@@ -468,13 +509,13 @@ class _Equilibrium:
         if not all(answers):
             return None
         hessian = [
-            [self.at(worked_out(derivative(slope, name))) for name in self.claim.names]
+            [in_lowest_terms(self.at(worked_out(derivative(slope, n)))) for n in self.claim.names]
             for slope in slopes
         ]
         if not elementary(*(e for row in hessian for e in row)):
             return None
         minors = [
-            self.shown(_determinant([row[:k] for row in hessian[:k]]), ">")
+            self.shown(in_lowest_terms(_determinant([row[:k] for row in hessian[:k]])), ">")
             for k in range(1, len(hessian) + 1)
         ]
         if all(minors):
@@ -482,66 +523,6 @@ class _Equilibrium:
         apart = (add(*(u * u for u in self.shifts)), ">", ZERO)
         above = self.asked((v - self.at(v), ">", ZERO), (*self.claim.given, apart))
         return [*answers, above] if above else None
-
-
-def _antiderivative(f: Expr, name: str) -> Expr | None:
-    """An antiderivative of a sum of simple terms; what is made of it is shown by itself."""
-    x = symbol(name)
-    terms = []
-    for factors in _products(f):
-        power_, outer, inner = fmpq(0), [], []
-        for factor in factors:
-            if name not in symbols(factor):
-                outer.append(factor)
-            elif factor == x:
-                power_ += 1
-            elif factor.op == "^" and factor.args[0] == x and factor.args[1].op == "number":
-                power_ += factor.args[1].args[0]
-            else:
-                inner.append(factor)
-        if not inner and power_ == -1:
-            terms.append(multiply(*outer, apply("log", x)))
-        elif not inner:
-            terms.append(multiply(*outer, number(1 / (power_ + 1)), x ** number(power_ + 1)))
-        elif len(inner) == 1 and power_ == 0 and inner[0].op in _PRIMITIVES:
-            slope = worked_out(derivative(inner[0].args[0], name))
-            if not elementary(slope) or name in symbols(slope):
-                return None
-            sign, op = _PRIMITIVES[inner[0].op]
-            terms.append(multiply(*outer, number(sign), apply(op, inner[0].args[0])) / slope)
-        else:
-            return None
-        if len(terms) > TERMS:
-            return None
-    return add(*terms)
-
-
-_PRIMITIVES = {
-    "exp": (1, "exp"), "sin": (-1, "cos"), "cos": (1, "sin"), "sinh": (1, "cosh"),
-    "cosh": (1, "sinh"),
-}  # fmt: skip
-
-
-def _products(e: Expr) -> Iterator[tuple[Expr, ...]]:
-    """Yield the products whose sum is ``e``, sums in brackets multiplied out."""
-    if e.op == "+":
-        for term in e.args:
-            yield from _products(term)
-    elif e.op == "*":
-        for parts in product(*(list(islice(_products(arg), TERMS)) for arg in e.args)):
-            yield tuple(factor for part in parts for factor in part)
-    elif e.op == "^" and e.args[0].op == "*" and e.args[1].op == "number":
-        yield tuple(
-            factor for arg in e.args[0].args
-            for factor in ((arg.args[0] ** (arg.args[1] * e.args[1])
-                            if arg.op == "^" and arg.args[1].op == "number"
-                            else arg ** e.args[1]),)
-        )  # fmt: skip
-    elif e.op == "^" and e.args[0].op == "+" and e.args[1] == number(2):
-        for parts in product(list(islice(_products(e.args[0]), TERMS)), repeat=2):
-            yield tuple(factor for part in parts for factor in part)
-    else:
-        yield (e,)
 
 
 def _determinant(rows: Sequence[Sequence[Expr]]) -> Expr:
