@@ -6,8 +6,8 @@
 - `abstract_flip`: the tennis racket effect itself.
 """
 
+from tresym.proofs import conclusion
 from tresym.proofs.asymptotics import printed_error, uniform_formulas
-from tresym.proofs.conclusion import ethylene, ethylene_flip_exact
 from tresym.proofs.conditions import defect, ordered_moments, shape
 from tresym.proofs.euler_angles import d08, precession_forward
 from tresym.proofs.frames import perfect_flip
@@ -75,7 +75,13 @@ coincide_large_class = Claim(
 )
 
 variety_of_bodies = Claim(
-    **jointly(str_realizable, flip_str_exact, ethylene, ethylene_flip_exact, tre_if_eps0_small),
+    **jointly(
+        str_realizable,
+        flip_str_exact,
+        conclusion.ethylene,
+        conclusion.ethylene_flip_exact,
+        tre_if_eps0_small,
+    ),
     where=line(38),
     note="The standard racket and ethylene can exist. The other rackets of Table 1 cannot, by "
     "their printed moments.",
