@@ -127,6 +127,7 @@ class Jets:
         h: the variable of the series.
         variables: what the variables of the coefficients stand for, in their order.
         constants: the numbers that are not rational, by the names of their variables.
+        divisors: the parameters that are divided by, and 1 over them.
         implicit: whether a stage depends on itself.
         rules: the functions that differential equations determine.
     """
@@ -140,6 +141,7 @@ class Jets:
         self.equations: dict[str, Expr] = {}
         self.stages: dict[str, Series] = {}
         self.constants: dict[str, Expr] = {}
+        self.divisors: dict[Variable, Expr] = {}
         self.implicit = False
         self.top = 0
         self._numbers: dict[Variable, int] = {}
@@ -377,20 +379,25 @@ class Jets:
         return self.constant(self._variable(Variable(name)))
 
     def reduced(self, series: Series) -> Series:
-        """Return a series with powers of square roots of numbers replaced."""
+        """Return a series with squares of roots of numbers, and products c*(1/c), replaced."""
         for name, value in self.constants.items():
+            k = self._numbers[Variable(name)]
             square = _square(value)
-            which = Variable(name)
-            if square is None or which not in self._numbers:
+            other = self._numbers.get(Variable(str(value.args[0]))) if _is_inverse(value) else None
+            if square is None and other is None:
                 continue
-            k = self._numbers[which]
             terms: dict[int, Polynomial] = {}
             for n, c in series.terms.items():
                 total = _ring().constant(0)
                 for exponents, factor in c.terms():
-                    whole, odd = divmod(int(exponents[k]), 2)
-                    lower = (*exponents[:k], odd, *exponents[k + 1 :])
-                    total += _ring().from_dict({lower: factor * square**whole})
+                    lower = list(exponents)
+                    if square is not None:
+                        whole, lower[k] = divmod(int(exponents[k]), 2)
+                        factor *= square**whole
+                    elif other is not None:
+                        both = min(exponents[k], exponents[other])
+                        lower[k], lower[other] = exponents[k] - both, exponents[other] - both
+                    total += _ring().from_dict({tuple(lower): factor})
                 if not total.is_zero():
                     terms[n] = total
             series = Series(terms, series.known)
@@ -415,21 +422,37 @@ class Jets:
 
     def _reciprocal(self, series: Series, e: Expr) -> Series:
         """Return 1/e, for a first coefficient that is a number."""
-        lead = series.terms.get(series.first)
-        if lead is None or not lead.is_constant():
-            raise UnreadError(
-                f"the denominator {e} does not begin with a number times a power of h"
-            )
         n = series.first
-        inverse = fmpq(1) / lead.leading_coefficient()
-        one = Series({-n: _ring().constant(inverse)}, series.known - 2 * n)
+        lead = series.terms.get(n)
+        inverse = self._inverse(lead) if lead is not None else None
+        if inverse is None:
+            raise UnreadError(f"the denominator {e} does not begin with a power of {self.h}")
+        one = Series({-n: inverse}, series.known - 2 * n)
         rest = Series({m: c for m, c in series.terms.items() if m != n}, series.known)
         small = (rest * one).times(fmpq(-1))  # 1/e = one (1 + small + small**2 + …)
         total = term = self.constant(1)
         while small.first > 0 and term.first < series.known - n and term.terms:
-            term = (term * small).upto(series.known - n)
+            term = self.reduced((term * small).upto(series.known - n))
             total += term
         return total.upto(series.known - n) * one
+
+    def _inverse(self, lead: Polynomial) -> Polynomial | None:
+        """Return the inverse of a product of a number and parameters."""
+        if len(lead) != 1 or any(v.orders for v in self.used(lead)):
+            return None
+        ((exponents, c),) = lead.terms()
+        found = _ring().constant(fmpq(1) / c)
+        moving = {name for rule in self.rules.values() for name in rule.names}
+        for k, n in enumerate(exponents):
+            if n:
+                which = self.variables[k]
+                value = power(self.meaning(which), number(-1))
+                if which.name in moving or which.name in self.constants:
+                    return None
+                self.constants[str(value)] = value
+                self.divisors[which] = value
+                found *= self._variable(Variable(str(value))) ** int(n)
+        return found
 
     def _call(self, e: Expr, bound: Mapping[str, Series]) -> Series:
         (name, orders), args = e.args[0].args, [self.read(arg, bound) for arg in e.args[1:]]
@@ -523,11 +546,9 @@ class Jets:
 
     def meaning(self, which: Variable) -> Expr:
         """Return what a variable of the coefficients stands for."""
-        return (
-            unknown(which.name, self.place(which), which.orders)
-            if which.orders
-            else symbol(which.name)
-        )
+        if which.orders:
+            return unknown(which.name, self.place(which), which.orders)
+        return self.constants.get(which.name) or symbol(which.name)
 
     def place(self, which: Variable) -> tuple[Expr, ...]:
         """Return the point at which a derivative is taken."""
@@ -551,7 +572,7 @@ class Jets:
         """Return the variables of a coefficient and of the points at which it is taken."""
         found = dict.fromkeys(self.used(p))
         for which in list(found):
-            for b in self.bases[which]:
+            for b in self.bases.get(which, ()):
                 found |= dict.fromkeys(self.behind(b))
         return list(found)
 
@@ -573,6 +594,11 @@ def _square(e: Expr) -> fmpq | None:
     if e.op != "^" or e.args[0].op != "number" or e.args[1].op != "number":
         return None
     return fmpq(e.args[0].args[0]) if e.args[1].args[0] == fmpq(1, 2) else None
+
+
+def _is_inverse(e: Expr) -> bool:
+    """Return whether a constant is 1/c for a parameter c."""
+    return e.op == "^" and e.args[0].op == "symbol"
 
 
 _TAYLOR = {

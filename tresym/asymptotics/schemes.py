@@ -20,7 +20,7 @@ from fractions import Fraction
 from itertools import islice, product
 from math import factorial, prod
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from tresym.asymptotics.jets import Jets, Polynomial, Series, UnreadError, Variable
 from tresym.asymptotics.systems_of_jets import SystemJets
@@ -43,6 +43,8 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.formula import Compared
+from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.verdict import Verdict
 
 LEMMA = "Taylor's theorem with remainder at one point (DLMF 1.4(vi))"
@@ -55,6 +57,7 @@ SHOWN = 12
 TRIED = 2_000
 """Values of derivatives and parameters that are tried for a counterexample."""
 _VALUES = (1, 2, -1, 3, 5)
+POINTS = 5
 
 
 def decide_scheme(claim: Comparison, statement: Statement) -> Answer:
@@ -129,9 +132,15 @@ def _largest_exponent(e: Expr) -> int:
 def _known(jets: Jets, scheme: Expr, least: int) -> Series:
     """Return the terms of a scheme below h**least."""
     top = max(least, 1)
-    for _ in range(4):
-        jets.solve(top)
-        found = jets.reduced(jets.read(scheme))
+    for further in (1, 3, 0):
+        try:
+            jets.solve(top)
+            found = jets.reduced(jets.read(scheme))
+        except UnreadError:  # a denominator may begin with a higher power of h
+            if not further:
+                raise
+            top += further
+            continue
         if found.known >= least:
             return found.upto(least)
         top += least - found.known
@@ -213,14 +222,14 @@ def _index_name(jets: Jets, which: Variable) -> str:
 class _Counterexample:
     """Values of derivatives and parameters at which the leading error is not zero."""
 
-    def __init__(self, jets: Jets, values: Mapping[Variable, int]) -> None:
+    def __init__(self, jets: Jets, values: Mapping[Variable, Fraction]) -> None:
         self.jets = jets
         self.values = values
 
     @classmethod
     def of(cls, jets: Jets, lead: Polynomial, statement: Statement) -> _Counterexample | None:
         """Return a counterexample that satisfies the conditions, or None."""
-        behind = jets.behind(lead)
+        behind = list(dict.fromkeys((*jets.behind(lead), *jets.divisors)))
         said = statement.given.names - {jets.h}
         if not _are_independent(jets, behind) or said & set(jets.equations):
             return None
@@ -230,9 +239,17 @@ class _Counterexample:
         needed = [
             jets.variables[k] for k in chosen_terms if jets.variables[k].name not in jets.constants
         ]
+        free = [v for v in behind if v.name not in jets.constants]
+        inside: list[dict[Variable, Fraction]] = [{}]
+        if said:
+            with ball_precision():
+                points = list(statement.given.points(sorted(said), POINTS))
+            inside += [{Variable(x): _fraction(value) for x, value in p.items()} for p in points]
         tried = (
-            {v: 0 if v.orders else rest for v in behind if v.name not in jets.constants}
-            | dict(zip(needed, chosen, strict=True))
+            {v: Fraction(0 if v.orders else rest) for v in free}
+            | dict(zip(needed, map(Fraction, chosen), strict=True))
+            | point
+            for point in inside
             for rest in (0, 1)
             for chosen in product(_VALUES, repeat=len(needed))
         )
@@ -244,8 +261,9 @@ class _Counterexample:
 
     def differs(self, lead: Polynomial) -> bool:
         """Return whether a coefficient is not zero here."""
-        value = self._at(lead)
-        return constants_hold([(value, "!=", ZERO)]) is not None
+        at = {v.name: number(n) for v, n in self.values.items() if not v.orders}
+        values = (self._at(lead), *(substitute(symbol(v.name), at) for v in self.jets.divisors))
+        return all(_holds((value, "!=", ZERO)) for value in values)
 
     def __str__(self) -> str:
         names = sorted({v.name for v in self.values if v.orders})
@@ -269,7 +287,7 @@ class _Counterexample:
         steps = [symbol(x) - b for x, b in zip(letters, place, strict=True)]
         terms = [
             multiply(
-                number(Fraction(self.values[v], prod(map(factorial, v.orders)))),
+                number(self.values[v] / prod(map(factorial, v.orders))),
                 *(_power(step, n) for step, n in zip(steps, v.orders, strict=True)),
             )
             for v in own
@@ -280,11 +298,19 @@ class _Counterexample:
     def _at(self, p: Polynomial) -> Expr:
         """Return the number that a coefficient is here."""
         numbers = {
-            f"v{k}": fmpq(self.values[v])
+            f"v{k}": fmpq(*self.values[v].as_integer_ratio())
             for k, v in enumerate(self.jets.variables)
             if v in self.values
         }
-        return self.jets.expression(p.subs(numbers))
+        at = {v.name: number(n) for v, n in self.values.items() if not v.orders}
+        return substitute(self.jets.expression(p.subs(numbers)), at)
+
+
+def _fraction(value: arb | fmpq) -> Fraction:
+    """Return a number near a value."""
+    if isinstance(value, fmpq):
+        return Fraction(int(value.p), int(value.q))
+    return Fraction(float(value.mid())).limit_denominator(100)
 
 
 def _are_independent(jets: Jets, variables: Iterable[Variable]) -> bool:
@@ -301,11 +327,15 @@ def _are_independent(jets: Jets, variables: Iterable[Variable]) -> bool:
     return ordinary or all(map(jets.is_linear, jets.rules))
 
 
-def _satisfy(values: Mapping[Variable, int], statement: Statement) -> bool:
+def _satisfy(values: Mapping[Variable, Fraction], statement: Statement) -> bool:
     """Return whether the conditions hold at these values of the parameters."""
     at = {v.name: number(n) for v, n in values.items() if not v.orders}
     links = statement.given.mapped(lambda e: substitute(e, at)).comparisons
-    if any(any(functions(e)) for link in links for e in link[::2]):
-        return False
-    left = constants_hold(links)
-    return left is not None and not left.comparisons
+    return all(map(_holds, links))
+
+
+def _holds(link: Compared) -> bool:
+    """Return whether a comparison of constants holds."""
+    left, _, right = link
+    plain = not (left.hidden or right.hidden or symbols(left) | symbols(right))
+    return plain and constants_hold([link]) is not None
