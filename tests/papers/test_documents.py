@@ -220,3 +220,26 @@ def test_formulas_of_html_are_typeset_and_words_escaped() -> None:
     pytest.importorskip("math_core")
     assert "<msup>" in html.words("the *square* $x^2$")
     assert html.typesets()
+
+
+COUPONS = """\
+# Coupons
+n integer; given n >= 1
+H(n) := sum(1/j, j, 1, n)
+growth: n*H(n) == n*log(n) + EulerGamma*n + 1/2 + O(1/n) as n -> oo
+chart growth
+"""
+
+
+def test_functions_of_the_file_keep_the_form_of_the_text_and_charts_skip_points() -> None:
+    """The terms stay in the author's order, and a sum of 300 000 terms spoils no chart."""
+    paper = read_paper(COUPONS)
+    (link,) = own_paper.statement_latex(paper.claims["growth"]).split(r" \qquad ")[:1]
+    assert (
+        link == r"n \, H(n) = n \, \ln(n) + \gamma \, n + \frac{1}{2} + O\left(\frac{1}{n}\right)"
+    )
+    pytest.importorskip("matplotlib")
+    assert own_tables.chart(paper, "growth")
+    asked = read_paper(COUPONS.replace("chart growth", "chart growth: at n == 10, 300000"))
+    with pytest.raises(tresym.InputError, match="300000"):
+        own_tables.chart(asked, "growth")

@@ -159,8 +159,7 @@ def row_lines(row: Row, full: bool, width: int, colour: bool) -> list[str]:
     say(item.text if isinstance(item, PaperClaim) else f"{item.head} := {item.text}")
     answer = row.decisive
     if not row.as_expected:
-        expected = "REFUTED" if claim is not None and claim.expect_refuted else "that it holds"
-        say(f"expected {expected}: {abbreviated(row.why)}", BAD)
+        say(f"{unexpected(row)}: {abbreviated(row.why)}", BAD)
     elif full or name in ("REFUTED", "ASSUMED"):
         say(abbreviated(row.why), "2")
     if full and claim is not None:
@@ -183,6 +182,21 @@ def row_lines(row: Row, full: bool, width: int, colour: bool) -> list[str]:
     if row.axioms:
         say(f"it rests on what is not proved here: {', '.join(row.axioms)}", "2")
     return lines
+
+
+def unexpected(row: Row) -> str:
+    """Return in words how a verdict differs from what the file expects.
+
+    The reason of the verdict follows it, so ``expected that it holds: REASON`` would be misread.
+    """
+    from tresym.papers.reading import PaperClaim
+
+    expects_refuted = isinstance(row.item, PaperClaim) and row.item.expect_refuted
+    if row.verdict.value == "REFUTED":
+        return "it is false, though the file does not expect that"
+    if row.verdict.value == "UNDECIDED":
+        return "not refuted" if expects_refuted else "not proved"
+    return "it holds, though the file expects it to be refuted" if expects_refuted else "not shown"
 
 
 def summary(report: PaperReport, colour: bool) -> str:

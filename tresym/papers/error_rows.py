@@ -60,15 +60,22 @@ def sides_of(claim: PaperClaim) -> tuple[Expr, Expr, Expr | None]:
     return worked_out(exact), worked_out(approx), None if gauge is None else worked_out(gauge)
 
 
-def error_rows(claim: PaperClaim, drawn: Drawn) -> Iterator[ErrorRow]:
+def error_rows(claim: PaperClaim, drawn: Drawn, skipping: bool = False) -> Iterator[ErrorRow]:
     """Yield the errors at the points of a table.
+
+    Args:
+        claim: the claim.
+        drawn: the table or the chart.
+        skipping: whether to leave out points without a value; one at least must have one.
 
     Raises:
         InputError: a variable has no value, a point violates a condition of the claim, or a number
             is not proved to exist.
     """
     exact, approx, gauge = sides_of(claim)
-    for point in points_of(claim, drawn):
+    found = 0
+    points = points_of(claim, drawn)
+    for n, point in enumerate(points, 1):
         values = dict(point)
         _need_conditions(claim, values)
 
@@ -84,7 +91,10 @@ def error_rows(claim: PaperClaim, drawn: Drawn) -> Iterator[ErrorRow]:
             )
         except InputError as error:
             where = ", ".join(f"{name} == {x}" for name, x in values.items())
-            raise InputError(f"{claim.label} at {where}: {error}") from None
+            if not skipping or (n == len(points) and not found):
+                raise InputError(f"{claim.label} at {where}: {error}") from None
+        else:
+            found += 1
 
 
 ERROR_DIGITS = 8

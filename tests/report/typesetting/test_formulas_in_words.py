@@ -11,6 +11,7 @@ from tresym.report.typesetting.formulas_in_words import parts, region_latex
         ("it behaves like -1/6/eps near 0", [r"-\frac{1}{6 \, \epsilon}"]),
         ("with n! = gamma(n + 1): on 119 boxes", [r"n! = \Gamma(n + 1)"]),
         ("the two sides differ at x = 1/2, y = -3", [r"x = \frac{1}{2}", "y = -3"]),
+        ("not at n (with S = 1/n + 2).", [r"S = \frac{1}{n} + 2"]),
         ("unbounded as k -> oo", [r"k \to \infty"]),
         ("the right-hand side, a non-negative number", []),
         ("(Olver 1974, ch. 3, §3) and the ratio left/right", []),

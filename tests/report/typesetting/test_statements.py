@@ -162,6 +162,7 @@ READ_BY = {
     "tresym/report/pages/site_data.py": "the same",
     "tresym/report/pages/fragments.py": "a claim to paste, after its conditions",
     "tresym/report/pages/coq_page.py": "what a theorem of Coq says",
+    "tresym/commands/claims_file.py": "what Coq answers, which is no claim of the ledger",
     "tresym/commands/check.py": "what `check` answers, which is no claim of the ledger",
 }
 """The files that read what a claim says, and why these may."""

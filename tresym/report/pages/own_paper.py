@@ -518,26 +518,35 @@ def _latex(e: Expr) -> str:
 
 def _printed(claim: PaperClaim) -> list[Compared]:
     """The comparisons of a claim in the form in which the author typed them."""
-    typed = as_typed(claim.text, claim.shown)
-    return list(typed) if typed is not claim.shown else [_plain_link(link) for link in typed]
+    named = tuple((_plain(a, False), sign, _plain(b, False)) for a, sign, b in claim.shown)
+    typed = as_typed(claim.text, named)
+    return list(typed) if typed is not named else [_plain_link(link) for link in claim.shown]
 
 
 def _plain_link(link: Compared) -> Compared:
     return _plain(link[0]), link[1], _plain(link[2])
 
 
-def _plain(e: Expr) -> Expr:
-    """The expression with functions under the names that the file gives them."""
+def _plain(e: Expr, ordered: bool = True) -> Expr:
+    """The expression with functions under the names that the file gives them.
+
+    Args:
+        e: the expression.
+        ordered: whether expansions are put in the order of print.
+    """
     if e.op in LEAVES or not e.hidden:
         return e
     if e.op == "unknown":
         name, orders = e.args[0].args
-        return unknown(name.removeprefix(PREFIX), tuple(map(_plain, e.args[1:])), orders)
+        return unknown(
+            name.removeprefix(PREFIX), tuple(_plain(x, ordered) for x in e.args[1:]), orders
+        )
     if e.names:
-        inside = _plain(instantiate(e.args[0], tuple(map(symbol, e.names))))
-        return Expr(e.op, (bind(inside, e.names), *map(_plain, e.args[1:])), e.names)
-    parts = tuple(map(_plain, e.args))
-    if e.op == "+" and any(part.op in ORDERS for part in parts):
+        inside = _plain(instantiate(e.args[0], tuple(map(symbol, e.names))), ordered)
+        ends = (_plain(x, ordered) for x in e.args[1:])
+        return Expr(e.op, (bind(inside, e.names), *ends), e.names)
+    parts = tuple(_plain(x, ordered) for x in e.args)
+    if ordered and e.op == "+" and any(part.op in ORDERS for part in parts):
         # as expansions are written: the constant first, and the order last
         ranks = {"number": 0} | dict.fromkeys(ORDERS, 2)
         return Expr("+", tuple(sorted(parts, key=lambda part: ranks.get(part.op, 1))))

@@ -114,7 +114,8 @@ def chart(paper: OwnPaper, label: str, kind: str = "svg") -> bytes:
     along = path.name if path else max(drawn.at, key=lambda pair: len(pair[1]))[0]
     curves: dict[str, list[tuple[float, float]]] = {}
     largest = 0.0
-    for row in error_rows(claim, drawn):
+    chosen = path is not None and not any(along in dict(one.at) for one in asked)
+    for row in error_rows(claim, drawn, skipping=chosen):
         where = {value.name: value.value for value in row.at}
         x = _float_of(where[along], path)
         error = 0.0 if row.error is None else abs(float(row.error.mid))

@@ -42,11 +42,14 @@ def parts(text: str, known: Collection[str] = ()) -> Iterator[tuple[str, bool]]:
                 run = "".join(words[n:end])
                 tail = _TAIL.search(run)
                 run = run[: tail.start()] if tail else run
+                closing = tail[0] if tail else ""
+                if run.endswith(")") and run.count(")") > run.count("("):  # of a remark
+                    run, closing = run[:-1], f"){closing}"
                 formula = _formula(run, known)
                 if formula:
                     yield plain, False
                     yield formula, True
-                    plain, n = tail[0] if tail else "", end
+                    plain, n = closing, end
                     break
         if not formula:
             plain += words[n]
