@@ -8,10 +8,10 @@
 - (11), `d11`: 0 ≤ a, 0 ≤ b ≤ 1 and −b ≤ γ ≤ a, by `range_of_shape` and `range_of_gamma`.
 """
 
+from tresym.proofs import momentum
 from tresym.proofs.axioms import INVERSE_FUNCTION, MOTION
 from tresym.proofs.conditions import ordered_moments, shape, shape_of_a_body, tilted
 from tresym.proofs.model import angular_velocity, eq_Mi, velocity_from_momentum
-from tresym.proofs.momentum import energy_of_momentum
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -103,7 +103,7 @@ eq_gamma = Claim(
         step(2 * I2 * E / M**2 - 1, substituting(d08)),
         step(
             ((1 + a) * M1**2 + M2**2 + (1 - b) * M3**2) / M**2 - 1,
-            substituting(energy_of_momentum, d08),
+            substituting(momentum.energy_of_momentum, d08),
         ),
         step(
             (1 + a) * cos(theta) ** 2 + sin(theta) ** 2 * (1 - b * sin(psi) ** 2) - 1,

@@ -10,6 +10,7 @@
 - `angles_from_momentum`: θ and ψ from M, and why the poles are excluded.
 """
 
+from tresym.proofs import momentum
 from tresym.proofs.conditions import ordered_moments, tilted
 from tresym.proofs.model import (
     about_y,
@@ -22,7 +23,6 @@ from tresym.proofs.model import (
     rotation_orthogonal,
     spin,
 )
-from tresym.proofs.momentum import components, rates, two_first_integrals
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -38,9 +38,9 @@ handle = ImmutableMatrix([sin(theta) * cos(phi), sin(theta) * sin(phi), cos(thet
 """e₁ along (X, Y, Z)."""
 
 no_external_moment = Claim(
-    says=Conserved(printed.momentum_squared(M1, M2, M3), components, rates),
+    says=momentum.two_first_integrals.parts[1],
     given=ordered_moments,
-    proof=all_of(two_first_integrals),
+    proof=all_of(momentum.two_first_integrals),
     where=line(56),
     note=(
         "`torque_free` assumes that the vector M is fixed in space; "

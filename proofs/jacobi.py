@@ -13,9 +13,9 @@ dχ/dt = p dn, for every 0 < m < 1. Substituted into Euler's equations:
   `momentum_between`: only then.
 """
 
+from tresym.proofs import momentum
 from tresym.proofs.axioms import AMPLITUDE, MOTION
 from tresym.proofs.conditions import ordered_moments
-from tresym.proofs.momentum import energy_of_momentum, eq_first_int, two_first_integrals
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -122,7 +122,7 @@ separatrix_amplitudes = Claim(
     proof=by(exponentials),
 )
 
-_by_integrals = by(substituting(energy_of_momentum, eq_first_int))
+_by_integrals = by(substituting(momentum.energy_of_momentum, momentum.eq_first_int))
 
 rotating_start = Claim(
     says=Tuple(
@@ -227,7 +227,7 @@ jacobi_solutions = Claim(
 momentum_between = Claim(
     says=Tuple(2 * I3 * E - M**2 >= 0, M**2 - 2 * I1 * E >= 0),
     given=ordered_moments,
-    proof=by(substituting(energy_of_momentum, eq_first_int)),
+    proof=by(substituting(momentum.energy_of_momentum, momentum.eq_first_int)),
 )
 
 meeting_point = Claim(
@@ -247,7 +247,7 @@ intersection_condition = Claim(
 )
 
 solution_on_intersection = Claim(
-    **jointly(two_first_integrals),
+    **jointly(momentum.two_first_integrals),
     where=line(96),
 )
 

@@ -9,6 +9,7 @@
 - `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles are constant.
 """
 
+from tresym.proofs import momentum
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import (
@@ -20,7 +21,6 @@ from tresym.proofs.euler_angles import (
 )
 from tresym.proofs.frames import handle_in_space
 from tresym.proofs.jacobi import intersection_condition, solution_on_intersection
-from tresym.proofs.momentum import eq_dMi
 from tresym.proofs.stability import permanent_rotations, three_equilibria_and_opposites
 
 from tresym.ledger.vocabulary import *
@@ -36,7 +36,7 @@ ordering = Claim(
     means=I1 > 0,
     proof=Counterexample({"I1": fmpq(0), "I2": fmpq(1), "I3": fmpq(1)}),
     where=line(82),
-    amended_by=(eq_dMi,),
+    amended_by=(momentum.eq_dMi,),
     note="At I₁ = 0 the equations that follow divide by zero; they hold for 0 < I₁ < I₂ < I₃.",
     fault=Fault.MISPRINT,
 )

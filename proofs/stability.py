@@ -11,16 +11,10 @@ is positive, and a product of two components grows exponentially.
 - `permanent_rotations`: the equilibria are the six points with two components zero.
 """
 
+from tresym.proofs import momentum
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments
 from tresym.proofs.model import eq_Mi, velocity_from_momentum
-from tresym.proofs.momentum import (
-    along_euler,
-    components,
-    energy_of_momentum,
-    eq_dMi,
-    rates,
-)
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -29,8 +23,14 @@ from tresym.racket.notation import *
 eigenvalue = Symbol("eigenvalue", real=True)
 """λ; the characteristic polynomials have no real root but 0 where the rotation is stable."""
 
-_components = (M1, M2, M3)
+_components = Tuple(M1, M2, M3)
 _rates = ImmutableMatrix(printed.euler_equations(*_components, I1, I2, I3))
+
+
+def _along_euler(quantity: Expr) -> Expr:
+    """Time derivative of a function of M₁, M₂, M₃, with the rates as symbols."""
+    rates = (dM1_dt, dM2_dt, dM3_dt)
+    return sum(diff(quantity, m) * speed for m, speed in zip(_components, rates, strict=True))
 
 
 def _characteristic(*at: Expr) -> Expr:
@@ -73,7 +73,7 @@ _above_third = M1**2 * (I3 - I1) / (I1 * I3) + M2**2 * (I3 - I2) / (I2 * I3)
 energy_near_e1 = Claim(
     says=equal((M1**2 + M2**2 + M3**2) / I1 - 2 * E, _below_first),
     given=ordered_moments,
-    proof=by(substituting(energy_of_momentum)),
+    proof=by(substituting(momentum.energy_of_momentum)),
     note=(
         "At fixed length of M the energy is largest at M₂ = M₃ = 0, "
         "and only there: a Lyapunov function."
@@ -83,7 +83,7 @@ energy_near_e1 = Claim(
 energy_near_e3 = Claim(
     says=equal(2 * E - (M1**2 + M2**2 + M3**2) / I3, _above_third),
     given=ordered_moments,
-    proof=by(substituting(energy_of_momentum)),
+    proof=by(substituting(momentum.energy_of_momentum)),
     note="At fixed length of M the energy is smallest at M₁ = M₂ = 0, and only there.",
 )
 
@@ -115,7 +115,7 @@ stays_near_e3 = Claim(
 )
 
 stable_e1 = Claim(
-    says=StableEquilibrium(components, rates, Tuple(M, 0, 0)),
+    says=StableEquilibrium(_components, Tuple(*_rates), Tuple(M, 0, 0)),
     given=ordered_moments,
     proof=Lyapunov(_below_first + (M1**2 + M2**2 + M3**2 - M**2) ** 2),
     note="The rotation about the handle. A constant is given by `stays_near_e1`.",
@@ -124,7 +124,7 @@ stable_e1 = Claim(
 )
 
 stable_e3 = Claim(
-    says=StableEquilibrium(components, rates, Tuple(0, 0, M)),
+    says=StableEquilibrium(_components, Tuple(*_rates), Tuple(0, 0, M)),
     given=ordered_moments,
     proof=Lyapunov(_above_third + (M1**2 + M2**2 + M3**2 - M**2) ** 2),
     note="The rotation about the normal of the face.",
@@ -137,18 +137,19 @@ _first_rate, _third_rate = sqrt(1 / I1 - 1 / I2), sqrt(1 / I2 - 1 / I3)
 leaves_e2 = Claim(
     says=Tuple(
         *(
-            -M2 * along_euler(M1 * M3) - side * 2 * _first_rate * _third_rate * M2**2 * M1 * M3 >= 0
+            -M2 * _along_euler(M1 * M3) - side * 2 * _first_rate * _third_rate * M2**2 * M1 * M3
+            >= 0
             for side in (1, -1)
         )
     ),
     given=ordered_moments,
-    proof=by(substituting(eq_dMi)),
+    proof=by(substituting(momentum.eq_dMi)),
     note="Let P be −M₁M₃ where M₂ > 0 and M₁M₃ where M₂ < 0. As long as |M₂| ≥ m, a positive P "
     "grows at least as e^{2αβmt}, α² = 1/I₁ − 1/I₂ and β² = 1/I₂ − 1/I₃; but it is at most M²/2.",
 )
 
 unstable_e2 = Claim(
-    says=UnstableEquilibrium(components, rates, Tuple(0, -M, 0)),
+    says=UnstableEquilibrium(_components, Tuple(*_rates), Tuple(0, -M, 0)),
     given=ordered_moments,
     proof=Growing(M * sqrt(1 / I1 - 1 / I2) * sqrt(1 / I2 - 1 / I3)),
     where=line(49),
@@ -196,7 +197,9 @@ permanent_rotations = Claim(
         )
     ),
     given=ordered_moments,
-    proof=together(*(by(multiplying(factor), substituting(eq_dMi)) for factor in _inverse)),
+    proof=together(
+        *(by(multiplying(factor), substituting(momentum.eq_dMi)) for factor in _inverse)
+    ),
     note="M is constant exactly if two components vanish: at ±M along each of the three axes.",
 )
 

@@ -131,3 +131,32 @@ def test_a_symbol_with_two_definitions_proves_nothing(tmp_path: Path) -> None:
 def test_the_expression_that_is_proved_is_the_one_that_runs(tmp_path: Path) -> None:
     part = read(tmp_path, "use length from programs\none: length(3, 4*x) >= 0")
     assert part.one.says.lhs == length(sympy.Integer(3), 4 * x, sympy)
+
+
+def test_statements_that_are_not_comparisons_are_decided_as_a_whole(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """let square: S := x**2
+bound: S >= 0 using square
+circle: conserved(x**2 + y**2) along (x, y)' == (y, -x)
+hyperbola: conserved(x**2 - y**2) along (x, y)' == (y, -x)
+centre: stable (x, y) == (0, 0) along (x, y)' == (y, -x)
+saddle: stable (x, y) == (0, 0) along (x, y)' == (y, x)
+same: exp(x) == 1 <=> x == 0
+other: x**2 == 1 <=> x == 1
+once: exactly one x in (0, 1): x**3 == a given a > 0, a < 1
+twice: exactly one x in (-1, 1): x**2 == a given a > 0, a < 1
+rises: increasing(S, x) given x > 0 using square
+falls: decreasing(S, x) given x > 0 using square
+rises_by_bound: increasing(x + S, x) given x < 0 using bound
+rises_with: increasing(x + S, x) given x < 0 using square
+kept_by_bound: conserved(S) along (x, y)' == (1, 2) using bound
+undefined: exactly one x in (-1, 1): sqrt(x) == 1/2
+some: at some point: x**2 == 2 given x > 0
+""",
+    )
+    found = verdicts(part)
+    holds = {label for label, verdict in found.items() if verdict in ("PROVED", "ENCLOSED")}
+    assert holds == {"bound", "circle", "centre", "same", "once", "rises", "some"}
+    refuted = {label for label, verdict in found.items() if verdict == "REFUTED"}
+    assert refuted == {"hyperbola", "saddle", "other", "falls", "twice", "rises_with"}

@@ -22,7 +22,8 @@ This is how each line is understood:
   stand after ``given``.
 - ``f(x) := …`` and ``u := …`` are abbreviations: they are put in wherever they stand.
 - ``use x from FILE`` takes claims, conditions or expressions from another part of the paper, be it
-  a file or a module of Python, and functions of formulas that programs run.
+  a file or a module of Python, and functions of formulas that programs run. Where the value of a
+  function ``f(x)`` is a vector, its components are ``f_1(x)``, ``f_2(x)``, and so on.
 - ``using label, label`` names the claims above on which a claim rests: what is an equation is put
   in, other comparisons become conditions.
 - In a chain ``a == b == c`` the claim is ``a == c``, and each step is decided by itself.
@@ -71,16 +72,21 @@ from tresym.ledger.conversion import tree
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.statements import (
     AtMostOne,
+    Conserved,
     ExactlyOne,
     ForSome,
     Rounds,
+    StableEquilibrium,
     StrictlyDecreasing,
     StrictlyIncreasing,
     Under,
+    UnstableEquilibrium,
 )
 from tresym.papers.definitions import Definition as Abbreviation
 from tresym.papers.reading import DEFINED, OwnPaper, Reader, near
-from tresym.reals.language.brackets import encloses, split
+from tresym.reals.language import named_claims
+from tresym.reals.language.brackets import closing, encloses, split
+from tresym.reals.language.claims import Written
 from tresym.reals.language.compound import (
     Count,
     Equivalent,
@@ -104,6 +110,7 @@ OWN = {"E": "E_", "lambda": "lambda_"}
 """Symbols that the grammar gives another meaning, and what they are called while it reads."""
 _CLASS = {sign: getattr(sympy, name) for name, sign in RELATIONS.items()}
 _COUNTS = {"exactly one": ExactlyOne, "at most one": AtMostOne}
+_EQUILIBRIA = {"stable": StableEquilibrium, "unstable": UnstableEquilibrium}
 _SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
 _CLAUSES = ("given", "using", "expect", "at", "instead")
 _REMARK = re.compile(r"(says|paper|shown|kind|fault|assumed)\s*:\s*(.*)", re.DOTALL)
@@ -191,6 +198,8 @@ class _Reader(Reader):
         self.own: dict[str, Claim] = {}
         self.named: dict[str, tuple[Basic, ...]] = {}
         self.lines: dict[str, tuple[int, int]] = {}
+        self.vectors: dict[str, int] = {}
+        """Functions whose value is a vector, and the number of its components."""
         self.waiting: _Waiting | None = None
 
     def read(self, text: str) -> OwnPaper:
@@ -261,6 +270,8 @@ class _Reader(Reader):
         for name, there in OWN.items():
             if name in self.declared:
                 text = re.sub(rf"(?<![\w\\]){name}(?!\w)", there, text)
+        for name, size in self.vectors.items():
+            text = _by_components(text, name, size)
         return super()._called(text)
 
     def _need_new_label(self, label: str) -> None:
@@ -297,6 +308,7 @@ class _Reader(Reader):
         asked = [p for p in inspect.signature(function).parameters if p != "m"]
         made = function(*(Symbol(p, real=True) for p in asked), **_arithmetic(function))
         if isinstance(made, tuple):
+            self.vectors[name] = len(made)
             for n, part in enumerate(made, 1):
                 self._abbreviate(line, f"{name}_{n}", tuple(asked), part)
         else:
@@ -432,7 +444,22 @@ class _Reader(Reader):
         if isinstance(formula, Shape) and formula.how in _SHAPES:
             named = (to_sympy(_named(e)) for e in (formula.function, symbol(formula.name)))
             return _SHAPES[formula.how](*named)
-        if isinstance(formula, Count | Shape) or getattr(formula, "path", None) is not None:
+        if isinstance(formula, named_claims.Conserved):
+            return Conserved(
+                to_sympy(_named(formula.function)),
+                Tuple(*(to_sympy(_named(symbol(name))) for name in formula.names)),
+                Tuple(*(to_sympy(_named(rate)) for rate in formula.rates)),
+            )
+        if isinstance(formula, named_claims.Equilibrium) and formula.how in _EQUILIBRIA:
+            names, rates, point = (
+                Tuple(*(to_sympy(_named(e)) for e in vector))
+                for vector in (map(symbol, formula.names), formula.rates, formula.point)
+            )
+            return _EQUILIBRIA[formula.how](names, rates, point)
+        if (
+            not isinstance(formula, Written | Somewhere)
+            or getattr(formula, "path", None) is not None
+        ):
             raise InputError("this form of a claim is not read in a paper of the ledger yet")
         relations = [self._relation(link) for link in formula.comparisons]
         says = relations[0] if len(relations) == 1 else Tuple(*relations)
@@ -455,6 +482,25 @@ class _Reader(Reader):
         sides = (to_sympy(_named(side)) for side in (left, right))
         made: Basic = _CLASS[sign](*sides, evaluate=False)
         return made
+
+
+def _by_components(text: str, name: str, size: int) -> str:
+    """The text with each value of a function as a vector of its components.
+
+    Example:
+        >>> _by_components("(x, y) == f(a, b)", "f", 2)
+        '(x, y) == (f_1(a, b), f_2(a, b))'
+    """
+    found = ""
+    while match := re.search(rf"(?<![\w\\]){name}\s*(?=\()", text):
+        end = closing(text[match.end() :])
+        if end is None:
+            break
+        inside = text[match.end() : match.end() + end + 1]
+        components = ", ".join(f"{name}_{n}{inside}" for n in range(1, size + 1))
+        found += f"{text[: match.start()]}({components})"
+        text = text[match.end() + end + 1 :]
+    return found + text
 
 
 def _named(e: Expr) -> Expr:

@@ -27,7 +27,9 @@ from typing import Any, ClassVar
 from flint import fmpq
 from sympy import Basic, Eq, Rational, S, Symbol, Tuple, oo
 from sympy import Expr as Expression
+from sympy.core.relational import Relational
 
+from tresym.checking.compound_claims import decide_compound
 from tresym.checking.dispatch import decide_claim
 from tresym.ledger.claim import Chain, Claim, Reason, Step, equal, parts_of
 from tresym.ledger.conversion import (
@@ -47,6 +49,7 @@ from tresym.ledger.evidence.box_bounds import decimal
 from tresym.ledger.evidence.chain import instantiated
 from tresym.ledger.evidence.integrals import need, with_bounds
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
+from tresym.ledger.evidence.whole_statements import whole_claim
 from tresym.ledger.finding import WEAKEST_FIRST, Finding, Ruling, StepFinding
 from tresym.ledger.reasons import citing
 from tresym.ledger.refutations import need_possible
@@ -56,6 +59,8 @@ from tresym.reals.decisions.claim_parsing import stated
 from tresym.reals.decisions.cleared_factors import with_split_roots
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.binders import worked_out
+from tresym.reals.language.claims import Written
+from tresym.reals.language.compound import comparisons_of, leaves
 from tresym.reals.language.expression import (
     LEAVES,
     ZERO,
@@ -148,6 +153,8 @@ def judge_decided(claim: Claim, proof: Decided) -> Finding:
     here = put_into(given, rules)
     if isinstance(says, As):
         return _order(claim, proof, says, rules, here)
+    if not all(isinstance(part, Relational) for part in parts_of(says)):
+        return _whole(claim, proof, says, rules, meant)
     relations = list(_relations(_by_steps(says, proof.steps), rules, meant))
     need(bool(relations), "the statement contains no relation")
     if proof.constant is not None:
@@ -163,6 +170,27 @@ def judge_decided(claim: Claim, proof: Decided) -> Finding:
     region = ", ".join(map(str, claim.given)) or None
     found = _found(answers, free and not proof.cited)
     return replace(found, constant=constant, region=region) if found.verdict.holds else found
+
+
+def _whole(claim: Claim, proof: Decided, says: Basic, rules: Rules, given: Conditions) -> Finding:
+    """Return what the engine finds on a statement that is not made of relations alone.
+
+    Raises:
+        NotShownError: the engine decides no such statement.
+    """
+    plain = proof.variables is None and proof.constant is None and not proof.steps
+    need(plain, "such a statement has no other variables, no constant and no steps")
+    whole = whole_claim(says, lambda e: put_in(tree(e), rules), given)
+    parts = list(leaves(whole.formula))
+    links = [link for part in parts for link in (*comparisons_of(part), *part.given)]
+    names = frozenset().union(*(symbols(side) for link in links for side in link[::2]))
+    open_ = sorted(names & _open_symbols(claim, rules))
+    moving = any(not isinstance(part, Written) for part in parts)
+    need(
+        not (open_ and moving),
+        f"{', '.join(open_)} is defined elsewhere, and its definition is not put in",
+    )
+    return _found([decide_compound(whole, decide_claim)], not open_ and not proof.cited)
 
 
 def _by_steps(says: Basic, steps: tuple[Expression, ...]) -> Basic:
