@@ -160,3 +160,16 @@ some: at some point: x**2 == 2 given x > 0
     assert holds == {"bound", "circle", "centre", "same", "once", "rises", "some"}
     refuted = {label for label, verdict in found.items() if verdict == "REFUTED"}
     assert refuted == {"hyperbola", "saddle", "other", "falls", "twice", "rises_with"}
+
+
+def test_equations_that_relate_variables_let_no_point_refute(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """u real
+let double: u := 2*x
+assume law: u == 3*y
+> assumed: a law
+follows: 2*x == 3*y using double, law
+""",
+    )
+    assert verdicts(part) == {"double": "DEFINED", "law": "ASSUMED", "follows": "UNDECIDED"}

@@ -13,7 +13,8 @@ What is checked here, before and after the engine is asked:
 - An order holds uniformly in all other symbols, and a defined symbol, which may change with the
   variable of the limit, must be unfolded in it.
 - A statement about a symbol that is defined and was not unfolded is one for all values of that
-  symbol. It may be proved, but a point that contradicts it refutes nothing.
+  symbol. It may be proved, but a point that contradicts it refutes nothing. The same holds where
+  equations are put in that are no definitions, since they may relate variables to one another.
 - The constant that the evidence names stands in the statement; that of an order is not smaller than
   the constant that the engine found.
 """
@@ -31,7 +32,7 @@ from sympy.core.relational import Relational
 
 from tresym.checking.compound_claims import decide_compound
 from tresym.checking.dispatch import decide_claim
-from tresym.ledger.claim import Chain, Claim, Reason, Step, equal, parts_of
+from tresym.ledger.claim import Chain, Claim, Definition, Reason, Step, equal, parts_of
 from tresym.ledger.conversion import (
     Conditions,
     Rules,
@@ -132,6 +133,16 @@ class Decided:
         return (*self.put, *self.cited, *self.also)
 
     @property
+    def restricts_nothing(self) -> bool:
+        """Whether what is used leaves the variables free, so that a point refutes the statement.
+
+        Definitions do. Other equations may relate variables to one another: from u = 2x and u = 3y
+        follows 2x = 3y, which fails at most points.
+        """
+        defined = (isinstance(c.proof, Definition) and not c.proof.assumes for c in self.put)
+        return not self.cited and all(defined)
+
+    @property
     def chains(self) -> tuple[Chain, ...]:
         """The derivation that is printed: the steps, with the claims whose equations are put in."""
         why = (Reason("substituting", claims=self.put),) if self.put else ()
@@ -168,7 +179,7 @@ def judge_decided(claim: Claim, proof: Decided) -> Finding:
     free = not (_names(relations) & _open_symbols(claim, rules)) and proof.variables is None
     constant = None if proof.constant is None else decimal(proof.constant)
     region = ", ".join(map(str, claim.given)) or None
-    found = _found(answers, free and not proof.cited)
+    found = _found(answers, free and proof.restricts_nothing)
     return replace(found, constant=constant, region=region) if found.verdict.holds else found
 
 
@@ -190,7 +201,7 @@ def _whole(claim: Claim, proof: Decided, says: Basic, rules: Rules, given: Condi
         not (open_ and moving),
         f"{', '.join(open_)} is defined elsewhere, and its definition is not put in",
     )
-    return _found([decide_compound(whole, decide_claim)], not open_ and not proof.cited)
+    return _found([decide_compound(whole, decide_claim)], not open_ and proof.restricts_nothing)
 
 
 def _by_steps(says: Basic, steps: tuple[Expression, ...]) -> Basic:
@@ -355,7 +366,7 @@ def _order(claim: Claim, proof: Decided, says: As, rules: Rules, given: Conditio
     uniformly = parameters and path.expression is None and not path.together
     link = (difference, "==", Expr(order.kind, (gauge,)))
     answer = decide_claim(stated((link,), asked, path, uniformly))
-    found = replace(_found([answer], not proof.cited), parameter=str(path))
+    found = replace(_found([answer], proof.restricts_nothing), parameter=str(path))
     if not found.verdict.holds:
         return found
     if proof.constant is not None:
