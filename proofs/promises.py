@@ -6,7 +6,7 @@
 - `abstract_flip`: the tennis racket effect itself.
 """
 
-from tresym.proofs import conclusion
+from tresym.proofs import conclusion, table_of_objects
 from tresym.proofs.asymptotics import printed_error, uniform_formulas
 from tresym.proofs.conditions import defect, ordered_moments, shape
 from tresym.proofs.euler_angles import d08, precession_forward
@@ -14,7 +14,6 @@ from tresym.proofs.frames import perfect_flip
 from tresym.proofs.numbers_in_text import flip_of_no_flip, flip_str_exact, tre_if_eps0_small
 from tresym.proofs.regimes import realizable_shape
 from tresym.proofs.separatrix import one_flip_defect
-from tresym.proofs.table_of_objects import str_realizable
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -76,7 +75,7 @@ coincide_large_class = Claim(
 
 variety_of_bodies = Claim(
     **jointly(
-        str_realizable,
+        table_of_objects.table_str_realizable,
         flip_str_exact,
         conclusion.ethylene,
         conclusion.ethylene_flip_exact,

@@ -16,7 +16,8 @@ does. It is written as any file of claims (:mod:`tresym.papers.reading`), its cl
 This is how each line is understood:
 
 - ``label (51): …`` stands in display 51 of the paper, ``label [line 320]: …`` on that line of its
-  source. A claim without a place is an auxiliary lemma.
+  source, ``[line 302, cell a]`` in a cell of the table there. A claim without a place is an
+  auxiliary lemma.
 - ``let name: S := …, condition`` defines symbols of the ledger, under conditions. Its equations are
   put in where a claim says ``using name``. Without a definition, the line names conditions, which
   stand after ``given``.
@@ -115,7 +116,7 @@ _SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
 _CLAUSES = ("given", "using", "expect", "at", "instead")
 _REMARK = re.compile(r"(says|paper|shown|kind|fault|assumed)\s*:\s*(.*)", re.DOTALL)
 _PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)\s*")
-_PLACE = re.compile(r"(\d+)|(line|display)\s+(\d+)|cell\s+(.+)")
+_PLACE = re.compile(r"(\d+)|(?:(line|display)\s+(\d+))?(?:(?:^|,\s*)cell\s+(.+))?")
 
 
 @dataclass(frozen=True)
@@ -517,10 +518,10 @@ def _place(text: str) -> Place | None:
         return None
     match = _PLACE.fullmatch(text)
     if match is None:
-        raise InputError(f"'{text}' is not a place: write (12), [line 320] or [cell NAME]")
+        raise InputError(f"'{text}' is not a place: write (12), [line 320] or [line 3, cell NAME]")
     if match[1] or match[2] == "display":
-        return Place(display=int(match[1] or match[3]))
-    return Place(line=int(match[3])) if match[2] else Place(cell=match[4])
+        return Place(display=int(match[1] or match[3]), cell=match[4])
+    return Place(line=int(match[3]) if match[3] else None, cell=match[4])
 
 
 def _point(text: str) -> dict[str, Any]:
