@@ -319,10 +319,11 @@ def _file(name: str) -> _File:
         if isinstance(node, ast.ClassDef):
             pieces |= {f"{node.name}.{m.name}": m for m in _functions(node)}
     imported: dict[str, str] = {}
-    for inner in ast.walk(tree):
+    inside = [n for n in ast.walk(tree) if isinstance(n, ast.ImportFrom | ast.Expr)]
+    for inner in inside:
         if isinstance(inner, ast.ImportFrom):
             imported |= {a.asname or a.name: f"{inner.module}.{a.name}" for a in inner.names}
-    strings = (n.value for n in ast.walk(tree) if isinstance(n, ast.Expr))
+    strings = (n.value for n in inside if isinstance(n, ast.Expr))
     notes = {
         line
         for n in strings
@@ -340,13 +341,12 @@ def _functions(owner: ast.AST) -> list[ast.FunctionDef]:
     return [node for node in body if isinstance(node, ast.FunctionDef)]
 
 
-def _nodes(piece: ast.AST) -> Iterator[ast.AST]:
-    """The syntax nodes of a piece; of a class without its methods."""
-    yield piece
-    methods = _functions(piece)
-    for inner in ast.iter_child_nodes(piece):
-        if inner not in methods:
-            yield from ast.walk(inner)
+@cache
+def _nodes(piece: ast.AST) -> tuple[ast.Name | ast.Attribute | ast.Call, ...]:
+    """The names, attributes and calls in a piece; in a class without its methods."""
+    methods, kinds = _functions(piece), (ast.Name, ast.Attribute, ast.Call)
+    inner = (node for node in ast.iter_child_nodes(piece) if node not in methods)
+    return tuple(node for part in inner for node in ast.walk(part) if isinstance(node, kinds))
 
 
 def _given_by(node: ast.stmt) -> Iterator[str]:
@@ -379,13 +379,13 @@ def _piece(file: str, name: str) -> Piece | None:
     return _piece(there, last)
 
 
-def _names(node: ast.AST) -> Iterator[str]:
+@cache
+def _names(node: ast.AST) -> frozenset[str]:
     """Every name in ``node``, and every ``name.attribute``."""
-    for inner in _nodes(node):
-        if isinstance(inner, ast.Name):
-            yield inner.id
-        elif isinstance(inner, ast.Attribute) and isinstance(inner.value, ast.Name):
-            yield f"{inner.value.id}.{inner.attr}"
+    attributes = (n for n in _nodes(node) if isinstance(n, ast.Attribute))
+    return frozenset(n.id for n in _nodes(node) if isinstance(n, ast.Name)) | {
+        f"{n.value.id}.{n.attr}" for n in attributes if isinstance(n.value, ast.Name)
+    }
 
 
 def _flint_names(node: ast.stmt, source: _File) -> set[str]:
@@ -408,11 +408,13 @@ def _within(name: str, whole: str) -> bool:
     return name == whole or name.startswith(f"{whole}.")
 
 
+@cache
 def _is_file(name: str) -> bool:
     path = _home().joinpath(*name.split("."))
     return path.with_suffix(".py").is_file() or (path / "__init__.py").is_file()
 
 
+@cache
 def _home() -> Path:
     return Path(tresym.__file__).resolve().parent
 
