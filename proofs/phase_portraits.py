@@ -11,7 +11,7 @@
   and `tilt_bounds_oscillating`.
 """
 
-from tresym.proofs import flip_dynamics
+from tresym.proofs import flip_dynamics, stability
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import (
@@ -33,7 +33,6 @@ from tresym.proofs.regimes import (
     three_regimes,
     tilt_by_flip,
 )
-from tresym.proofs.stability import stable_e3, unstable_e2
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -223,7 +222,7 @@ equilibria_phase_portrait = Claim(
 )
 
 correspond_e3_e2 = Claim(
-    **jointly(momentum_at_rest, stable_e3, unstable_e2),
+    **jointly(momentum_at_rest, stability.stable_e3, stability.unstable_e2),
     where=line(160),
 )
 

@@ -9,7 +9,7 @@
 - `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles are constant.
 """
 
-from tresym.proofs import momentum
+from tresym.proofs import momentum, stability
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
 from tresym.proofs.euler_angles import (
@@ -21,7 +21,6 @@ from tresym.proofs.euler_angles import (
 )
 from tresym.proofs.frames import handle_in_space
 from tresym.proofs.jacobi import intersection_condition, solution_on_intersection
-from tresym.proofs.stability import permanent_rotations, three_equilibria_and_opposites
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -88,7 +87,7 @@ fig_sphere_cases = Claim(
         solution_on_intersection,
         intersection_condition,
         three_regimes,
-        three_equilibria_and_opposites,
+        stability.three_equilibria_and_opposites,
     ),
     where=line(110),
 )
@@ -346,7 +345,7 @@ depth_at_the_points = Claim(
 )
 
 ends_of_gamma = Claim(
-    **jointly(depth_at_e1, depth_at_e3, permanent_rotations),
+    **jointly(depth_at_e1, depth_at_e3, stability.permanent_rotations),
     where=line(140),
 )
 

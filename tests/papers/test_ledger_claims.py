@@ -111,6 +111,9 @@ REFUSED = {
     "one: convex(x**2, x)": "is not read",
     "one: speed > 0": "speed is not declared",
     "one: x > 0\n> fault: haste": "is not one of",
+    "one: x > 0\n> quotes: MOTION": "MOTION is no theorem",
+    "one [line 3, row 2]: x > 0": "is not a place",
+    "one: stable x == 0 along x' == -x by x**2": "a function after 'by' is not used",
 }
 
 

@@ -33,9 +33,10 @@ This is how each line is understood:
 - ``expect refuted at x == 1, y == 2 instead other`` states a falsehood, a point at which it fails,
   and what is true; ``expect enclosed`` that balls are needed.
 - The lines of prose directly below a claim are its note. Those beginning with ``> says:``,
-  ``> paper:``, ``> shown:``, ``> kind:``, ``> fault:`` and ``> assumed:`` give the sentence whose
-  formula the claim is, what the paper prints, the LaTeX of a formula that is hard to read, the
-  kind, what is wrong with the paper, and what an assumption is called.
+  ``> paper:``, ``> shown:``, ``> kind:``, ``> fault:``, ``> assumed:`` and ``> quotes:`` give the
+  sentence whose formula the claim is, what the paper prints, the LaTeX of a formula that is hard to
+  read, the kind, what is wrong with the paper, what an assumption is called, and the theorems that
+  the claim rests on.
 
 To convert a module of Python: write each claim on a line, with the same conditions in the same
 order and the claims that its evidence names after ``using``, and compare. Statement and conditions
@@ -57,6 +58,7 @@ import sympy
 from sympy import Basic, Eq, Symbol, Tuple
 from sympy import Expr as Expression
 
+from tresym.ledger.axioms import Axiom
 from tresym.ledger.claim import (
     Claim,
     Counterexample,
@@ -114,7 +116,7 @@ _COUNTS = {"exactly one": ExactlyOne, "at most one": AtMostOne}
 _EQUILIBRIA = {"stable": StableEquilibrium, "unstable": UnstableEquilibrium}
 _SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
 _CLAUSES = ("given", "using", "expect", "at", "instead")
-_REMARK = re.compile(r"(says|paper|shown|kind|fault|assumed)\s*:\s*(.*)", re.DOTALL)
+_REMARK = re.compile(r"(says|paper|shown|kind|fault|assumed|quotes)\s*:\s*(.*)", re.DOTALL)
 _PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)\s*")
 _PLACE = re.compile(r"(\d+)|(?:(line|display)\s+(\d+))?(?:(?:^|,\s*)cell\s+(.+))?")
 
@@ -198,6 +200,8 @@ class _Reader(Reader):
         """All claims that may be used here, by label."""
         self.own: dict[str, Claim] = {}
         self.named: dict[str, tuple[Basic, ...]] = {}
+        self.axioms: dict[str, Axiom] = {}
+        """Theorems that claims may quote."""
         self.lines: dict[str, tuple[int, int]] = {}
         self.vectors: dict[str, int] = {}
         """Functions whose value is a vector, and the number of its components."""
@@ -236,10 +240,17 @@ class _Reader(Reader):
             if match[2] not in faults:
                 raise InputError(f"'{match[2]}' is not one of {', '.join(faults)}")
             waiting.fields["fault"] = faults[match[2]]
+        elif match[1] == "quotes":
+            waiting.fields["quotes"] = tuple(map(self._axiom, match[2].split(",")))
         elif match[1] == "assumed":
             waiting.fields["proof"] = Definition(match[2])
         else:
             waiting.fields[{"paper": "paper_says"}.get(match[1], match[1])] = match[2]
+
+    def _axiom(self, name: str) -> Axiom:
+        if name.strip() not in self.axioms:
+            raise InputError(f"{name.strip()} is no theorem: write use NAME from axioms")
+        return self.axioms[name.strip()]
 
     def _state(self, line: int, label: str, place: str, fields: dict[str, Any]) -> None:
         self.waiting = _Waiting(label, self._end(line), {**fields, "where": _place(place)})
@@ -287,7 +298,9 @@ class _Reader(Reader):
             if name not in known:
                 raise InputError(f"{name} is not in {file}{near(name, known)}")
             value = known[name]
-            if isinstance(value, Claim):
+            if isinstance(value, Axiom):
+                self.axioms[name] = value
+            elif isinstance(value, Claim):
                 self.stated[name] = self.stated[value.label] = value
             elif isinstance(value, Expression):
                 self._abbreviate(line, name, (), value)
@@ -452,6 +465,8 @@ class _Reader(Reader):
                 Tuple(*(to_sympy(_named(rate)) for rate in formula.rates)),
             )
         if isinstance(formula, named_claims.Equilibrium) and formula.how in _EQUILIBRIA:
+            if formula.by is not None:
+                raise InputError("a function after 'by' is not used in a paper of the ledger")
             names, rates, point = (
                 Tuple(*(to_sympy(_named(e)) for e in vector))
                 for vector in (map(symbol, formula.names), formula.rates, formula.point)

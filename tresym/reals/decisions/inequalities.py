@@ -305,8 +305,6 @@ def _refuted_at(
     """Return a refutation if the point satisfies the conditions and violates the claim."""
     if not given.names <= point.keys():  # found where the claim's own variables are
         return None
-    if is_isolated({name: arb(value) for name, value in point.items()}, (left, right)):
-        return None
     for bits, _ in LOOKS:
         with ball_precision(bits):
             at = {name: arb(value) for name, value in point.items()}
@@ -315,10 +313,13 @@ def _refuted_at(
             x, y = evaluate(left, at), evaluate(right, at)
         if not (x.is_finite() and y.is_finite()):
             continue
+        found = None
         if relation != "!=" and x < y:
-            return refuted(exactly("it fails", point), point, x, y)
-        if relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
-            return refuted(exactly("both sides are equal", point), point, x, y)
+            found = refuted(exactly("it fails", point), point, x, y)
+        elif relation != ">=" and x.overlaps(y) and equal_at(left, right, point):
+            found = refuted(exactly("both sides are equal", point), point, x, y)
+        if found is not None:
+            return None if is_isolated(at, (left, right)) else found
     return None
 
 
