@@ -5,7 +5,8 @@ The largest |exact − approx| and |exact − approx|/|exact| are found from bot
 of a polynomial, lowest power first. Its decimals are exact numbers; with ``stored="double"`` they
 are what a program computes with, the nearest numbers of binary64. A hexadecimal floating-point
 number such as ``0x1.921fb54442d18p+1`` is exact. The error of rounding during the computation of
-the approximation is not part of this.
+the approximation is not part of this; for a Python function it is told beside it, see
+:mod:`tresym.accuracy.python_functions`.
 
 Example: the formula 9.4.1 of Abramowitz and Stegun for J₀ on 0 ≤ x ≤ 3, with the printed bound
 5·10⁻⁸, has a largest error between 4.87·10⁻⁸ and 4.89·10⁻⁸.
@@ -15,6 +16,7 @@ from __future__ import annotations
 
 import re
 import time
+from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -22,10 +24,13 @@ from typing import Any, NamedTuple
 from flint import arb, fmpq
 
 from tresym.accuracy.constants import jets_and_values
+from tresym.accuracy.python_functions import Program, Rounding, read_function, rounding
+from tresym.accuracy.sampled import names_function
 from tresym.accuracy.values import read
 from tresym.asymptotics.constants import rounded
 from tresym.reals.decisions.path_regions import interval_of
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.expansions.maxima import EXPLICIT, Maximum, exact_ends
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.calls import INFINITY
@@ -75,6 +80,7 @@ class LargestError(NamedTuple):
         stored: how decimals of the approximation were read.
         absolute, relative: the errors.
         seconds: processor time.
+        rounding: what rounding adds, for a Python function.
     """
 
     exact: str
@@ -84,6 +90,7 @@ class LargestError(NamedTuple):
     absolute: Bounds
     relative: Bounds
     seconds: float
+    rounding: Rounding | None = None
 
     def __bool__(self) -> bool:
         return bool(self.absolute.high)
@@ -93,6 +100,7 @@ class LargestError(NamedTuple):
         rows = [
             ("largest absolute error", self.absolute),
             ("largest relative error", self.relative),
+            *([("rounding adds", self.rounding)] if self.rounding else []),
             ("of", self.approximation + as_read),
             ("for", self.exact),
             ("on", self.region),
@@ -108,18 +116,21 @@ class LargestError(NamedTuple):
             "stored": self.stored,
             "absolute": self.absolute._asdict(),
             "relative": self.relative._asdict(),
+            "rounding": self.rounding and self.rounding._asdict(),
             "seconds": round(self.seconds, 6),
         }
 
 
 def largest_error(
-    exact: str | Expr, approx: str | Expr, on: str, stored: str = "exact"
+    exact: str | Expr, approx: str | Expr | Callable[..., Any], on: str, stored: str = "exact"
 ) -> LargestError:
     """Return the largest absolute and relative error of an approximation on a region.
 
     Args:
         exact: the function, in one variable.
-        approx: the approximation, or ``[c0, c1, …]``, the coefficients of a polynomial.
+        approx: the approximation, ``[c0, c1, …]``, the coefficients of a polynomial, or a Python
+            function, also as ``"FILE.py:FUNCTION"``, which is read from its source and not run.
+            Its constants are stored in double precision, unless ``stored`` is ``"single"``.
         on: the region, such as ``"0 <= x <= 1"``, ``"abs(x) <= pi/4"`` or ``"x >= 1"``.
         stored: how the decimals of ``approx`` are read: ``"exact"``, ``"double"`` or ``"single"``.
 
@@ -133,10 +144,54 @@ def largest_error(
         ('0.00813765', '0.00813766', 'x = 1')
     """
     start = time.process_time()
-    absolute, relative = (error_bounds(exact, approx, on, stored, kind) for kind in (False, True))
-    left, right = (str(e) if isinstance(e, Expr) else " ".join(e.split()) for e in (exact, approx))
+    program = _program(approx, stored)
+    formula = approx if program is None else program.expression(interval(on)[0])
+    stored = "double" if program is not None and stored == "exact" else stored
+    assert isinstance(formula, str | Expr)
+    absolute, relative = (error_bounds(exact, formula, on, stored, kind) for kind in (False, True))
+    added = None
+    if program is not None:
+        with ball_precision():
+            ends = [end and evaluate(end, {}) for end in interval(on)[1:]]
+        if ends[0] is not None and ends[1] is not None:
+            added = rounding(program, ends[0], ends[1], stored)
+    shown = program.name if program is not None else approx
+    left, right = (
+        str(e) if isinstance(e, Expr) else " ".join(str(e).split()) for e in (exact, shown)
+    )
     seconds = time.process_time() - start
-    return LargestError(left, right, on.strip(), stored, absolute, relative, seconds)
+    return LargestError(left, right, on.strip(), stored, absolute, relative, seconds, added)
+
+
+def _program(approx: str | Expr | Callable[..., Any], stored: str) -> Program | None:
+    """Return the operations of an approximation that is a Python function."""
+    if isinstance(approx, Expr) or (isinstance(approx, str) and not names_function(approx)):
+        return None
+    return read_function(approx, "double" if stored == "exact" else stored)
+
+
+def errors_at(
+    exact: str, approx: str, on: str, stored: str, count: int
+) -> list[tuple[float, float]]:
+    """Return points and the errors there on a bounded region, for a picture.
+
+    Raises:
+        InputError: the region is not bounded, or the functions are not explicit.
+    """
+    name, low, high = interval(on)
+    if low is None or high is None:
+        raise InputError("error: a picture needs a bounded region")
+    program = _program(approx, stored)
+    g = read(as_stored(approx, stored, name)) if program is None else program.expression(name)
+    found: list[tuple[float, float]] = []
+    with ball_precision(200):
+        ends = [evaluate(end, {}) for end in (low, high)]
+        for k in range(count + 1):
+            x = arb((ends[0] + (ends[1] - ends[0]) * k / count).mid())
+            value = evaluate(read(exact) - g, {name: x})
+            if value.is_finite():
+                found.append((float(x), float(value.mid())))
+    return found
 
 
 def error_bounds(

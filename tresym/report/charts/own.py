@@ -30,6 +30,7 @@ from tresym.report.charts.common import (
 )
 
 if TYPE_CHECKING:
+    from tresym.accuracy.largest_error import LargestError
     from tresym.accuracy.stability import Stability
     from tresym.accuracy.work_precision import Point
     from tresym.entries.reading import Entry
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
 MARKERS = "osD^vP*X"
 COLOURS = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, BLACK)
 LINES = (SOLID, DASHED, DOTTED)
+ERRORS_DRAWN = 400
 
 
 class Curve(NamedTuple):
@@ -246,6 +248,49 @@ def entry_chart(entry: Entry) -> Callable[[str], bytes]:
     if read_path(path).point is None:
         at = tuple(x for x in FAR if has_value(exact, approx, path, x, given))
     return error_chart(exact, [approx], path, at, given, gauge, entry.region)
+
+
+def error_on_region(
+    exact: str, approx: str, on: str, found: LargestError
+) -> Callable[[str], bytes]:
+    """Return a function that draws the error of an approximation on a bounded region.
+
+    Args:
+        exact: the function.
+        approx: the approximation, as for :func:`tresym.largest_error`.
+        on: the region.
+        found: the largest errors, of which the absolute one is drawn as lines.
+
+    Raises:
+        InputError: the region is not bounded, or the error has no values there.
+    """
+    from tresym.accuracy.largest_error import errors_at, interval
+
+    points = errors_at(exact, approx, on, found.stored, ERRORS_DRAWN)
+    if len(points) < 2:
+        raise InputError("error: the error has no values that could be drawn on this region")
+    name = interval(on)[0]
+    caption = f"The largest absolute error is {found.absolute}."
+    if found.rounding is not None:
+        caption += f" Rounding adds {found.rounding}."
+
+    def draw() -> Any:
+        from tresym.report.figures import style
+
+        figure, ((axes,),) = style.canvas(5.2, 3.0)
+        axes.plot(*zip(*points, strict=True), color=BLUE, linewidth=1.1)
+        if found.absolute.high not in ("", "oo"):
+            for sign in (1, -1):
+                bound = sign * float(found.absolute.high)
+                axes.axhline(bound, color=RED, linewidth=0.9, linestyle=DASHED)
+        axes.set_xlabel(typeset(name))
+        axes.set_ylabel("error")
+        axes.set_title(typeset(f"{found.exact} - ({found.approximation})"), fontsize=9)
+        axes.grid(color="0.92", linewidth=0.6)
+        axes.set_axisbelow(True)
+        return figure
+
+    return lambda kind: saved(draw, "error of an approximation", caption, kind)
 
 
 def work_precision(points: Sequence[Point], title: str) -> Any:
