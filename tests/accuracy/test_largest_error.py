@@ -8,7 +8,8 @@ import pytest
 from flint import arb, fmpq
 
 import tresym
-from tresym.accuracy.largest_error import as_stored, interval, largest_error, nearest
+from tresym.accuracy.largest_error import as_stored, interval, largest_error
+from tresym.accuracy.stored_numbers import nearest
 from tresym.commands import main
 from tresym.reals.balls.circle import over_a_ball
 from tresym.reals.domain.compiled import Compiled

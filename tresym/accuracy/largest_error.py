@@ -17,7 +17,6 @@ from __future__ import annotations
 import re
 import time
 from collections.abc import Callable
-from decimal import Decimal
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -26,6 +25,7 @@ from flint import arb, fmpq
 from tresym.accuracy.constants import jets_and_values
 from tresym.accuracy.python_functions import Program, Rounding, read_function, rounding
 from tresym.accuracy.sampled import names_function
+from tresym.accuracy.stored_numbers import nearest, readable
 from tresym.accuracy.values import read
 from tresym.asymptotics.constants import rounded
 from tresym.reals.decisions.path_regions import interval_of
@@ -240,12 +240,6 @@ def _written(found: Maximum, name: str) -> Bounds:
     return Bounds(low, readable(rounded(found.high, 1)) if found.high.is_finite() else "", where)
 
 
-def readable(decimal: str) -> str:
-    """Return a decimal with an exponent where it has many zeros: 4.87e-8."""
-    x = Decimal(decimal).normalize()
-    return decimal if -5 < x.adjusted() < 9 else f"{x:e}".replace("e+", "e")
-
-
 def _short(x: arb) -> str:
     n = x.unique_fmpz() if x.is_exact() else None
     return str(n) if n is not None else x.str(8, radius=False)
@@ -298,21 +292,3 @@ def as_stored(text: str, stored: str, name: str) -> str:
         )
         or "0"
     )
-
-
-def nearest(x: Fraction, bits: int, least: int) -> Fraction:
-    """Return the floating-point number nearest to x, to even in a tie.
-
-    Args:
-        x: a number.
-        bits: the bits of the mantissa.
-        least: the smallest positive number is 2 to this power.
-    """
-    if not x:
-        return x
-    size = abs(x)
-    power = size.numerator.bit_length() - size.denominator.bit_length()
-    if Fraction(2) ** power > size:
-        power -= 1
-    unit = Fraction(2) ** max(power - bits + 1, least)
-    return round(x / unit) * unit

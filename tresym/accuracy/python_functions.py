@@ -31,6 +31,8 @@ from typing import Any, NamedTuple, TypeAlias
 
 from flint import arb, fmpq
 
+from tresym.accuracy.stored_numbers import nearest, readable
+from tresym.asymptotics.constants import rounded
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.expression import (
     Expr,
@@ -156,8 +158,6 @@ def _of_value(value: Any, stored: str) -> Value | None:
 
 def _stored(value: float, stored: str) -> Fraction:
     """Return a constant as a program stores it."""
-    from tresym.accuracy.largest_error import nearest
-
     if type(value) is int and abs(value) < 2 ** BITS[stored]:
         return Fraction(value)
     if not math.isfinite(value):
@@ -393,9 +393,6 @@ class Rounding(NamedTuple):
 
 def rounding(program: Program, low: arb, high: arb, stored: str) -> Rounding | None:
     """Return what rounding adds on an interval; None if nothing can be said."""
-    from tresym.accuracy.largest_error import readable
-    from tresym.asymptotics.constants import rounded
-
     with ball_precision(200):
         found = _bound(program, low, high, stored) if program.is_rounded else None
         bounded = found is not None
@@ -483,8 +480,6 @@ def _rounded(value: float, stored: str) -> float:
     """Return a number in the precision."""
     if stored == "double" or not math.isfinite(value):
         return value
-    from tresym.accuracy.largest_error import nearest
-
     return float(nearest(Fraction(value), BITS[stored], LEAST[stored]))
 
 
