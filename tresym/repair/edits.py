@@ -383,7 +383,8 @@ def _near(r: fmpq, beside: bool) -> list[fmpq]:
     """
     p, q = int(r.p), int(r.q)
     values = [fmpq(n, q) for n in _misprints(p)]
-    values += [fmpq(p, n) for n in _misprints(q) if n] if q > 1 else []
+    below = [fmpq(p, n) for n in _misprints(q) if n] if q > 1 else []
+    values = below + values if abs(p) == 1 else values + below  # 1/7 is nearer to 1/6 than to 2/7
     values += [fmpq(p, n) for n in (2, 3, 4)] if q == 1 and p else []
     values += [-r] if beside else []
     found = dict.fromkeys(v for v in values if v != r)

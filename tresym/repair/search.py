@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import re
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import islice, takewhile
+from statistics import median
 
 from tresym.checking.dispatch import decide_claim
 from tresym.reals.decisions.answer import Alternative
@@ -63,6 +64,8 @@ VALUE = FUNCTION - 0.5
 """The rank of other values among the edits."""
 TOUCHING = 1e-6
 """The relative distance below which the sides of an inequality count as touching."""
+FAR = 0.5
+"""The relative distance above which the sides of an inequality are far from each other."""
 APART = 1e-3
 """The relative distance above which the sides of an equality count as different."""
 GIVEN = "given"
@@ -373,12 +376,21 @@ def _are_alike(one: str, other: str) -> bool:
 
 
 def _sharp_first(claim: Claim, found: Iterator[Edit]) -> list[Edit]:
-    """Sort inequalities: those whose sides nearly touch, as in print, come first."""
+    """Sort inequalities: those whose sides nearly touch, as in print, come first.
+
+    Sides that touch at a point but are mostly far from each other, as those of sin(a) > -a are,
+    count as less likely by one rank.
+    """
     grid = _closed_grid(claim)
     if grid is None:
         return list(found)
     gaps = [(_gap(edit.links, grid), edit) for edit in found]
-    sharp = [(edit.rank, gap, edit) for gap, edit in gaps if gap < TOUCHING]
+    sharp = []
+    for gap, edit in gaps:
+        if gap < TOUCHING:
+            typical = _gap(edit.links, grid, median)
+            rank = edit.rank + (typical > FAR)
+            sharp.append((rank, typical, edit._replace(rank=rank)))
     rest = [edit._replace(rank=max(edit.rank, OTHER)) for gap, edit in gaps if gap >= TOUCHING]
     slack = [(_gap(edit.links, grid), edit.rank, edit) for edit in rest]
     order = [*sorted(sharp, key=lambda s: s[:2]), *sorted(slack, key=lambda s: s[:2])]
@@ -415,8 +427,12 @@ def _differs(claim: Claim) -> bool:
     return bool(seen) and True not in seen
 
 
-def _gap(links: Sequence[Compared], grid: Points) -> float:
-    """Return how near to each other the sides of inequalities come."""
+def _gap(
+    links: Sequence[Compared],
+    grid: Points,
+    which: Callable[[list[float]], float] = min,
+) -> float:
+    """Return how near to each other the sides of inequalities come, or are on the median."""
     found = 0.0
     for left, relation, right in links:
         if relation not in _BOUNDS:
@@ -426,7 +442,7 @@ def _gap(links: Sequence[Compared], grid: Points) -> float:
         except (UnsupportedError, OverflowError):
             continue
         gaps = [abs(x - y) / (abs(x) + abs(y) or 1.0) for x, y in zip(*rows, strict=True)]
-        found = max(found, min((gap for gap in gaps if gap == gap), default=1.0))
+        found = max(found, which([gap for gap in gaps if gap == gap] or [1.0]))
     return found
 
 

@@ -304,7 +304,10 @@ def no_point(parts: tuple[Expr, ...], given: Given) -> str:
             for part in undefined_parts(parts, {}):
                 if _is_undefined(part):
                     return f"{part} is undefined, so there is nothing to prove; check the claim"
-        return "a side could not be shown to be a real number, so there may be nothing to prove"
+        return (
+            "a side could not be shown to be a real number, or is too large to be enclosed, so "
+            "there may be nothing to prove"
+        )
     if next(given.points(names, 1), None) is None:
         return (
             "no point was found that satisfies the conditions strictly, "

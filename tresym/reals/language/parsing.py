@@ -506,7 +506,10 @@ def _is_integers(node: ast.expr) -> bool:
 
 _TILDE = " is not "
 """What stands for ``~`` in a syntax tree."""
-NO_INFINITY = "oo is not a real number or variable; all values are real"
+NO_INFINITY = (
+    "oo is not a real number: leave out < oo, which holds for every real number, and write a limit "
+    "as f -> oo with a path"
+)
 NO_DERIVATIVE = (
     "a condition cannot contain a derivative: write it out, with its domain as a condition"
 )
