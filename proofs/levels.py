@@ -20,9 +20,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from tresym.proofs import flip_dynamics
+from tresym.proofs import euler_angles, flip_dynamics
 from tresym.proofs.conditions import shape
-from tresym.proofs.euler_angles import d08
 from tresym.proofs.numbers_in_text import lower_level, upper_level_exact
 from tresym.proofs.printed import moments, number
 from tresym.proofs.rigid_bodies import realizable
@@ -193,7 +192,7 @@ perfect_level = number(
     TheRoot(*one_rotating_level.statement.args),
     "3.20e-3",
     (*moments("str"), equal(epsilon, 0)),
-    *(d08, one_rotating_level, flip_dynamics.d19),
+    *(euler_angles.d08, one_rotating_level, flip_dynamics.d19),
 )
 
 standard_is_a_body = Claim(

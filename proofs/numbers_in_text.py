@@ -13,9 +13,8 @@ to the exact equation, there is a claim for each interpretation.
 
 from __future__ import annotations
 
-from tresym.proofs import flip_dynamics
+from tresym.proofs import euler_angles, flip_dynamics
 from tresym.proofs.conditions import STANDARD, defect, shape, shape_of_a_body, standard_racket
-from tresym.proofs.euler_angles import d08, elimination_of_time
 from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.orders import remark1
@@ -33,9 +32,9 @@ from tresym.reals.numbers.exact import as_rational
 
 STR = moments("str")
 """The standard racket's moments as Table 1 prints them."""
-EXACTLY = (d08, flip_defect, one_flip_defect)
+EXACTLY = (euler_angles.d08, flip_defect, one_flip_defect)
 """What ε₀ is, by the moments."""
-BY_FORMULA = (d08, leading_defect)
+BY_FORMULA = (euler_angles.d08, leading_defect)
 """What ε₀ is by the asymptotic formula, by the moments."""
 
 # -- ε₀ of the standard racket --------------------------------------------------------------------
@@ -158,14 +157,14 @@ upper_level_exact = number(
     TheRoot(*one_rotating_level.statement.args),
     "1.04e-2",
     _UPPER,
-    *(d08, one_rotating_level, flip_dynamics.d19),
+    *(euler_angles.d08, one_rotating_level, flip_dynamics.d19),
 )
 upper_level = number(
     "For the standard racket ε = −π/12 at γ = {}.",
     TheRoot(*one_rotating_level.statement.args),
     "1.09e-2",
     _UPPER,
-    *(d08, one_rotating_level, flip_dynamics.d19),
+    *(euler_angles.d08, one_rotating_level, flip_dynamics.d19),
     expect=Verdict.REFUTED,
     amended_by=(upper_level_exact, upper_level_linear),
     note="The number is that of the linear formula.",
@@ -184,7 +183,7 @@ lower_level = number(
     TheRoot(*one_turned_level.statement.args),
     "-4.2e-3",
     _LOWER,
-    *(d08, one_turned_level, flip_dynamics.d19),
+    *(euler_angles.d08, one_turned_level, flip_dynamics.d19),
     where=line(262),
     note=(
         "Below γ* = −0.00348 the sign S changes during the motion, "
@@ -253,7 +252,7 @@ lower_level_exists = number(
     -b * sin(pi / 12) ** 2,
     "-4.22e-3",
     moments("str", "I2", "I3"),
-    d08,
+    euler_angles.d08,
 )
 threshold_impossible = Claim(
     says="At the γ of the linear formula for ε = π/12, with all its digits, a motion passes "
@@ -401,7 +400,7 @@ _rate = printed.psi_rate(psi, a, b, gamma, S, sympy)
 angular_velocity_of_the_handle = Claim(
     says=equal(W1, dphi_dt * (dpsi_dphi + cos(theta))),
     given=(dphi_dt > 0,),
-    proof=by(substituting(angular_velocity, elimination_of_time)),
+    proof=by(substituting(angular_velocity, euler_angles.elimination_of_time)),
 )
 
 initial_rate_is_angular_velocity = Claim(
@@ -454,7 +453,7 @@ rate_at_the_top = number(
     sqrt(b) * sqrt(a + b) / (1 - b),
     "0.950",
     STR,
-    d08,
+    euler_angles.d08,
 )
 
 slow_on_separatrix = Claim(

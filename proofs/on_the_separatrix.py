@@ -10,10 +10,9 @@
 
 from __future__ import annotations
 
-from tresym.proofs import flip_dynamics
+from tresym.proofs import euler_angles, flip_dynamics
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import defect, ordered_moments, shape, shape_of_a_body, tilted
-from tresym.proofs.euler_angles import precession_rate
 from tresym.proofs.phase_portraits import separatrix_moves
 from tresym.proofs.regimes import planar_system, separatrix_case
 
@@ -96,7 +95,7 @@ turn_to_the_middle = Claim(
 time_of_a_turn = Claim(
     says=1 / dphi_dt >= I2 / M,
     given=(*ordered_moments, *tilted, *shape_of_a_body),
-    proof=by(substituting(precession_rate)),
+    proof=by(substituting(euler_angles.precession_rate)),
     note="Hence infinitely many turns take infinite time.",
 )
 

@@ -11,21 +11,16 @@
   and `tilt_bounds_oscillating`.
 """
 
-from tresym.proofs import flip_dynamics, stability
+from tresym.proofs import euler_angles, flip_dynamics, stability
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
-from tresym.proofs.euler_angles import (
-    eq_Euler,
-    eq_gamma,
-    gamma_conserved,
-    planar_rates,
-    planar_variables,
-)
 from tresym.proofs.regimes import (
     depth_at_e3,
     handle_crosses,
     handle_side,
     oscillating,
+    planar_rates,
+    planar_variables,
     psi_half_oscillating,
     rotating,
     symmetry_half,
@@ -44,13 +39,13 @@ _body = (*ordered_moments, *shape_of_a_body)
 sign_constant_rotating = Claim(
     says=dpsi_dphi * cos(theta) > 0,
     given=(*_body, *tilted, cos(theta) ** 2 > 0),
-    proof=by(substituting(eq_Euler)),
+    proof=by(substituting(euler_angles.eq_Euler)),
     where=line(160),
     note="dψ/dφ has the sign of cos θ, which for γ > 0 never vanishes.",
 )
 
 second_equation_enough = Claim(
-    **jointly(gamma_conserved, flip_dynamics.eq_dpsidphi),
+    **jointly(euler_angles.gamma_conserved, flip_dynamics.eq_dpsidphi),
     where=line(143),
 )
 
@@ -331,7 +326,7 @@ _argument = (gamma + b - (a + b) * _square) * (a * _square - gamma)
 root_argument = Claim(
     says=equal(_argument, b**2 * sin(theta) ** 4 * (sin(psi) * cos(psi)) ** 2),
     given=_body,
-    proof=by(substituting(eq_gamma), trigonometry),
+    proof=by(substituting(euler_angles.eq_gamma), trigonometry),
     where=line(179),
     note="So the argument of the root is never negative.",
 )
@@ -348,13 +343,16 @@ d15 = Claim(
 denominator_of_tilt = Claim(
     says=equal(gamma + 1 - (a + 1) * _square, sin(theta) ** 2 * (1 - b * _sine)),
     given=_body,
-    proof=by(substituting(eq_gamma), trigonometry),
+    proof=by(substituting(euler_angles.eq_gamma), trigonometry),
 )
 
 eq_dthetadphi = Claim(
     says=equal(dtheta_dphi, printed.theta_rate(theta, a, b, gamma, S2, sympy)),
     given=_off_axes,
-    proof=by(substituting(eq_Euler, sign_of_product, root_argument, denominator_of_tilt), roots),
+    proof=by(
+        substituting(euler_angles.eq_Euler, sign_of_product, root_argument, denominator_of_tilt),
+        roots,
+    ),
     where=display(16),
 )
 
@@ -414,7 +412,9 @@ tilts_in_order = Claim(
 )
 
 tilt_above_least = Claim(
-    says=gamma + b - (a + b) * _square >= 0, given=_body, proof=by(substituting(eq_gamma))
+    says=gamma + b - (a + b) * _square >= 0,
+    given=_body,
+    proof=by(substituting(euler_angles.eq_gamma)),
 )
 
 _above = gamma + b - (a + b) * _square
@@ -443,7 +443,7 @@ bounds_are_reached = Claim(
         equal(a * _square - gamma, b * sin(theta) ** 2 * _sine),
     ),
     given=_body,
-    proof=by(substituting(eq_gamma), trigonometry),
+    proof=by(substituting(euler_angles.eq_gamma), trigonometry),
     note="Zero at ψ = π/2 and at ψ = 0: there the tilt attains a bound.",
 )
 

@@ -6,10 +6,9 @@
 - `abstract_flip`: the tennis racket effect itself.
 """
 
-from tresym.proofs import conclusion, table_of_objects
+from tresym.proofs import conclusion, euler_angles, table_of_objects
 from tresym.proofs.asymptotics import printed_error, uniform_formulas
 from tresym.proofs.conditions import defect, ordered_moments, shape
-from tresym.proofs.euler_angles import d08, precession_forward
 from tresym.proofs.frames import perfect_flip
 from tresym.proofs.numbers_in_text import flip_of_no_flip, flip_str_exact, tre_if_eps0_small
 from tresym.proofs.regimes import realizable_shape
@@ -20,14 +19,16 @@ from tresym.racket.formulas import printed
 from tresym.racket.notation import *
 
 abstract_flip = Claim(
-    **jointly(perfect_flip, precession_forward),
+    **jointly(perfect_flip, euler_angles.precession_forward),
     where=line(38),
 )
 
 planar_constraint = Claim(
     says=Equivalent(equal(I3, I1 + I2), equal(1 / (a + 2), b)),
     given=ordered_moments,
-    proof=by(multiplying(-I2 / (I3 * (I1 + I2))), adding(Integer(1)), substituting(d08)),
+    proof=by(
+        multiplying(-I2 / (I3 * (I1 + I2))), adding(Integer(1)), substituting(euler_angles.d08)
+    ),
     where=line(45),
     note="Bodies with I₃ = I₁ + I₂ are the planar bodies; their shapes form a one-parameter "
     "family.",

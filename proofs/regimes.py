@@ -9,22 +9,19 @@
 - `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles are constant.
 """
 
-from tresym.proofs import momentum, stability
+from tresym.proofs import euler_angles, momentum, stability
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
-from tresym.proofs.euler_angles import (
-    d08,
-    eq_gamma,
-    planar_rates,
-    planar_variables,
-    precession_forward,
-)
 from tresym.proofs.frames import handle_in_space
 from tresym.proofs.jacobi import intersection_condition, solution_on_intersection
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
 from tresym.racket.notation import *
+
+planar_variables = Tuple(theta, psi)
+planar_rates = Tuple(*(part.args[1] for part in euler_angles.eq_Euler.parts))
+"""The planar system: its variables, and their rates by φ."""
 
 _sine = sin(psi) ** 2
 
@@ -47,7 +44,7 @@ energy_by_gamma = Claim(
         equal(M**2 - 2 * I1 * E, M**2 * (a - gamma) / (1 + a)),
     ),
     given=ordered_moments,
-    proof=by(substituting(d08)),
+    proof=by(substituting(euler_angles.d08)),
     note="As 1 − b and 1 + a are positive, the signs of the left sides are those of γ, γ + b "
     "and a − γ.",
 )
@@ -58,21 +55,21 @@ _together = (M**2 - 2 * I1 * E > 0, 2 * I2 * E - M**2 > 0)
 oscillating_case = Claim(
     says=Tuple(-gamma > 0, gamma + b > 0),
     given=(*ordered_moments, *_apart),
-    proof=by(substituting(d08)),
+    proof=by(substituting(euler_angles.d08)),
     where=line(96),
 )
 
 rotating_case = Claim(
     says=Tuple(gamma > 0, a - gamma > 0),
     given=(*ordered_moments, *_together),
-    proof=by(substituting(d08)),
+    proof=by(substituting(euler_angles.d08)),
     where=line(96),
 )
 
 separatrix_case = Claim(
     says=Equivalent(equal(2 * I2 * E - M**2, 0), equal(gamma, 0)),
     given=ordered_moments,
-    proof=(step(equal(gamma, 0), multiplying(1 / M**2), substituting(d08)),),
+    proof=(step(equal(gamma, 0), multiplying(1 / M**2), substituting(euler_angles.d08)),),
     where=line(96),
 )
 
@@ -109,14 +106,14 @@ ellipsoid_radii = Claim(
 )
 
 precession_of_the_handle = Claim(
-    **jointly(handle_in_space, precession_forward),
+    **jointly(handle_in_space, euler_angles.precession_forward),
     where=line(70),
 )
 
 tilt_by_flip = Claim(
     says=equal(cos(theta) ** 2 * (a + b * _sine), gamma + b * _sine),
     given=ordered_moments,
-    proof=by(substituting(eq_gamma), trigonometry),
+    proof=by(substituting(euler_angles.eq_gamma), trigonometry),
 )
 
 _flips = Symbol("psi1", real=True), Symbol("psi2", real=True)
@@ -187,7 +184,7 @@ oscillating = (*shape_of_a_body, gamma < 0, gamma > -b)
 theta_half = Claim(
     says=a * cos(theta) ** 2 - gamma >= 0,
     given=(*ordered_moments, *shape_of_a_body),
-    proof=by(substituting(eq_gamma)),
+    proof=by(substituting(euler_angles.eq_gamma)),
     where=line(103),
     note="For γ > 0, cos²θ ≥ γ/a > 0: θ stays in [0, π/2) or in (π/2, π].",
 )
@@ -268,7 +265,7 @@ handle_crosses = Claim(
 panel_depends_on_shape = Claim(
     says=equal((gamma - a) / a, -(sin(theta) ** 2) * (1 + b / a * _sine)),
     given=(*ordered_moments, *shape_of_a_body),
-    proof=by(substituting(eq_gamma)),
+    proof=by(substituting(euler_angles.eq_gamma)),
     where=line(112),
     note="The curves γ = constant are those of sin²θ (1 + (b/a) sin²ψ): they depend on the shape, "
     "and only through b/a.",
@@ -277,7 +274,7 @@ panel_depends_on_shape = Claim(
 strict_range_of_shape = Claim(
     says=Tuple(a > 0, b > 0, 1 - b > 0),
     given=ordered_moments,
-    proof=by(substituting(d08)),
+    proof=by(substituting(euler_angles.d08)),
     note=(
         "Neither endpoint is attained: b = 1 would require I₃ = ∞, and a = ∞ would require I₁ = 0."
     ),
@@ -288,7 +285,7 @@ _real = (*ordered_moments, I1 + I2 - I3 >= 0)
 realizable_shape = Claim(
     says=Tuple(1 / (a + 2) - b >= 0, 1 - 2 * b > 0),
     given=_real,
-    proof=by(substituting(d08)),
+    proof=by(substituting(euler_angles.d08)),
     note=(
         "No moment of a rigid body exceeds the sum of the two others; the paper does not use this."
     ),
@@ -297,7 +294,7 @@ realizable_shape = Claim(
 symmetric_top = Claim(
     says=equations((a * I1, b * I3), (I2 - I1, I3 - I2)),
     given=ordered_moments,
-    proof=by(substituting(d08)),
+    proof=by(substituting(euler_angles.d08)),
     where=line(124),
     note="a = 0 exactly when I₁ = I₂, b = 0 exactly when I₂ = I₃, both for a spherical top.",
 )
@@ -305,7 +302,7 @@ symmetric_top = Claim(
 ratios_of_moments = Claim(
     says=equations((I2 / I1, I3 / I2), (1 + a, 1 / (1 - b))),
     given=ordered_moments,
-    proof=by(substituting(d08)),
+    proof=by(substituting(euler_angles.d08)),
     note="I₁ ≪ I₂ ≪ I₃ means a ≫ 1 and 1 − b ≪ 1.",
 )
 
@@ -313,7 +310,7 @@ a_and_b_large = Claim(
     says="There is a case a ≫ 1, b ≫ 1, in which I₁ ≪ I₂ ≪ I₃.",
     means=ForSome(b >= 1),
     given=ordered_moments,
-    proof=formally(d08),
+    proof=formally(euler_angles.d08),
     where=line(124),
     expect=Verdict.REFUTED,
     amended_by=(ratios_of_moments, strict_range_of_shape),
@@ -323,14 +320,14 @@ a_and_b_large = Claim(
 depth_at_e1 = Claim(
     says=equal(a - gamma, sin(theta) ** 2 * (a + b * _sine)),
     given=ordered_moments,
-    proof=by(substituting(eq_gamma)),
+    proof=by(substituting(euler_angles.eq_gamma)),
     note="γ = a exactly when sin θ = 0: M lies along the handle.",
 )
 
 depth_at_e3 = Claim(
     says=equal(gamma + b, (a + b) * cos(theta) ** 2 + b * sin(theta) ** 2 * cos(psi) ** 2),
     given=ordered_moments,
-    proof=by(substituting(eq_gamma), trigonometry),
+    proof=by(substituting(euler_angles.eq_gamma), trigonometry),
     note="γ = −b exactly when cos θ = 0 and cos ψ = 0: M lies along e₃.",
 )
 

@@ -15,8 +15,8 @@ least cπ (`arsinh_concave`), and it remains to show c u/(1+u) (π − arcsin(u 
 
 from __future__ import annotations
 
+from tresym.proofs import euler_angles
 from tresym.proofs.conditions import ordered_moments, shape
-from tresym.proofs.euler_angles import d08
 from tresym.proofs.exponent import arsinh_concave, inverse_by_cotangent, share
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.separatrix import flip_defect
@@ -225,7 +225,7 @@ floor_of_every_body = Claim(
         floor_of_shapes,
         floor_is_approached,
         ((I1, Integer(1)), (I2, 1 / _t), (I3, 1 + 1 / _t), (M, Integer(1))),
-        (d08,),
+        (euler_angles.d08,),
     ),
     note="Over all rigid bodies; it is approached by planar bodies as a → ∞.",
 )

@@ -176,3 +176,26 @@ follows: 2*x == 3*y using double, law
 """,
     )
     assert verdicts(part) == {"double": "DEFINED", "law": "ASSUMED", "follows": "UNDECIDED"}
+
+
+def test_each_step_uses_what_it_names(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """let one: S := x + y
+let two: b := S**2
+squared: b == S**2 [two] == (x + y)**2 [one] == x**2 + 2*x*y + y**2 [by the binomial formula]
+other: b == S**2 [one] == (x + y)**2 [one]
+wrong: b == S**3 [two] == (x + y)**2 [one] using one, two
+false: b == S**2 [two] == x**2 + y**2 [one]
+both: b == S**2 [two] == (x + y)**2 [one] and S == x + y [one]
+""",
+    )
+    assert part.squared.uses == (part.two, part.one)
+    assert part.squared.says == Eq(b, x**2 + 2 * x * y + y**2, evaluate=False)
+    assert [link.reasons[0].name for link in part.squared.proof.chains[0]][2:] == [
+        "by the binomial formula"
+    ]
+    found = verdicts(part)
+    assert {label for label, verdict in found.items() if verdict == "PROVED"} == {"squared", "both"}
+    assert found["false"] == found["other"] == "REFUTED"  # nothing says what b is in the other
+    assert found["wrong"] == "UNDECIDED"

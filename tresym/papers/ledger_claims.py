@@ -27,7 +27,9 @@ This is how each line is understood:
   function ``f(x)`` is a vector, its components are ``f_1(x)``, ``f_2(x)``, and so on.
 - ``using label, label`` names the claims above on which a claim rests: what is an equation is put
   in, other comparisons become conditions.
-- In a chain ``a == b == c`` the claim is ``a == c``, and each step is decided by itself.
+- In a chain ``a == b == c`` the claim is ``a == c``, and each step is decided by itself. A step may
+  name, in brackets behind it, the claims whose equations are put in: ``a == b [one] == c [two]``.
+  Other words there are printed.
 - ``one: two and three`` claims again what others claim.
 - ``given x ~= 1.21`` is a printed input, and in ``label: e ~= 0.115`` the number is printed.
 - ``expect refuted at x == 1, y == 2 instead other`` states a falsehood, a point at which it fails,
@@ -60,6 +62,7 @@ from sympy import Expr as Expression
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.claim import (
+    Chain,
     Claim,
     Counterexample,
     Definition,
@@ -67,7 +70,9 @@ from tresym.ledger.claim import (
     Fault,
     Place,
     Printed,
+    Reason,
     Root,
+    Step,
     jointly,
     parts_of,
 )
@@ -86,9 +91,9 @@ from tresym.ledger.statements import (
     UnstableEquilibrium,
 )
 from tresym.papers.definitions import Definition as Abbreviation
-from tresym.papers.reading import DEFINED, OwnPaper, Reader, near
+from tresym.papers.reading import CLAUSE, DEFINED, OwnPaper, Reader, near
 from tresym.reals.language import named_claims
-from tresym.reals.language.brackets import closing, encloses, split
+from tresym.reals.language.brackets import closing, encloses, places, split
 from tresym.reals.language.claims import Written
 from tresym.reals.language.compound import (
     Count,
@@ -118,6 +123,7 @@ _SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
 _CLAUSES = ("given", "using", "expect", "at", "instead")
 _REMARK = re.compile(r"(says|paper|shown|kind|fault|assumed|quotes)\s*:\s*(.*)", re.DOTALL)
 _PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)\s*")
+_BECAUSE = re.compile(r"(.*\S)\s+\[([^\[\]]*)\]\s*", re.DOTALL)
 _PLACE = re.compile(r"(\d+)|(?:(line|display)\s+(\d+))?(?:(?:^|,\s*)cell\s+(.+))?")
 
 
@@ -391,7 +397,8 @@ class _Reader(Reader):
                 line, label, place, {**jointly(*(self.stated[part] for part in parts)), **fields}
             )
             return
-        says, steps = self._says(text)
+        says = self._says(text)
+        steps = self._steps(_clause_free(written), says, uses)
         given = [*self._declared_about((says, *given)), *given]
         fields |= {"says": says, "given": tuple(given)}
         values = _point(clauses.get("at", ""))
@@ -427,23 +434,50 @@ class _Reader(Reader):
             found += [c for c in new if c not in written]
         return found
 
-    def _says(self, text: str) -> tuple[Basic, tuple[Expression, ...]]:
-        """The statement of a text, and the steps of a chain between its two sides."""
+    def _says(self, text: str) -> Basic:
+        """The statement of a text; a chain ``a == b == c`` states that a equals c."""
         if match := _PRINTED.fullmatch(text):
-            return Rounds(to_sympy(_named(self._tree(match[1]))), match[2]), ()
+            return Rounds(to_sympy(_named(self._tree(match[1]))), match[2])
         if encloses(text) and (parts := split(text[1:-1], r"\bgiven\b"))[1:]:
-            says, steps = self._says(parts[0].strip())
-            return Under(says, Tuple(*self._given(parts[1]))), steps
+            return Under(self._says(parts[0].strip()), Tuple(*self._given(parts[1])))
         whole = read_compound(self._called(text))
         if whole is not None:
-            return self._formula_of(mapped(whole.formula, self._put)), ()
+            return self._formula_of(mapped(whole.formula, self._put))
         links = [self._expanded(link) for link in parse_claim(plain(self._called(text)))]
         if len(links) > 1 and all(sign == "==" for _, sign, _ in links):
-            first, last = links[0][0], links[-1][2]
-            steps = tuple(to_sympy(_named(right)) for _, _, right in links[:-1])
-            return self._relation((first, "==", last)), steps
+            return self._relation((links[0][0], "==", links[-1][2]))
         relations = [self._relation(link) for link in links]
-        return relations[0] if len(relations) == 1 else Tuple(*relations), ()
+        return relations[0] if len(relations) == 1 else Tuple(*relations)
+
+    def _steps(self, text: str, says: Basic, uses: list[Claim]) -> tuple[Chain, ...]:
+        """The derivations of a text, one for each part; the claims that steps name are used.
+
+        There are none if each part has one step, and none of them names a claim.
+        """
+        chains: list[Chain] = []
+        if not all(isinstance(part, Eq) for part in parts_of(says)):
+            return ()
+        for part in split(text, r"\band\b"):
+            _, *stages = split(part, r"(?<![<>=!~:])==(?![=<>])")
+            chain = []
+            for n, stage in enumerate(stages, 1):
+                match = _BECAUSE.fullmatch(stage)
+                shown, words = (match[1], match[2]) if match else (stage, "")
+                named = [
+                    self.stated[w] for w in map(str.strip, words.split(",")) if w in self.stated
+                ]
+                uses += [claim for claim in named if claim not in uses]
+                why = [Reason("substituting", claims=tuple(named))] if named else []
+                why += [Reason(words)] if words and not named else []
+                last = n == len(stages)
+                chain.append(
+                    Step(None if last else to_sympy(_named(self._tree(shown))), tuple(why))
+                )
+            chains.append(tuple(chain))
+        derived = any(len(chain) > 1 or any(link.reasons for link in chain) for chain in chains)
+        if derived and len(chains) != len(parts_of(says)):
+            raise InputError("the steps of a vector are not read: write one equation a component")
+        return tuple(chains) if derived else ()
 
     def _formula_of(self, formula: Formula) -> Basic:
         """A claim made of others as a statement of the ledger."""
@@ -477,7 +511,10 @@ class _Reader(Reader):
             or getattr(formula, "path", None) is not None
         ):
             raise InputError("this form of a claim is not read in a paper of the ledger yet")
-        relations = [self._relation(link) for link in formula.comparisons]
+        links = formula.comparisons
+        if isinstance(formula, Written) and len(links) > 1 and {s for _, s, _ in links} == {"=="}:
+            links = ((links[0][0], "==", links[-1][2]),)
+        relations = [self._relation(link) for link in links]
         says = relations[0] if len(relations) == 1 else Tuple(*relations)
         if formula.given:
             says = Under(says, Tuple(*map(self._relation, formula.given)))
@@ -498,6 +535,12 @@ class _Reader(Reader):
         sides = (to_sympy(_named(side)) for side in (left, right))
         made: Basic = _CLASS[sign](*sides, evaluate=False)
         return made
+
+
+def _clause_free(written: str) -> str:
+    """The formula of a claim with the words in brackets behind its steps."""
+    places_ = places(f"{written} ", CLAUSE)
+    return written[: places_[0][0]] if places_ else written
 
 
 def _by_components(text: str, name: str, size: int) -> str:
@@ -552,7 +595,7 @@ def _point(text: str) -> dict[str, Any]:
 def _evidence(
     uses: list[Claim],
     written: tuple[Basic, ...],
-    steps: tuple[Expression, ...],
+    steps: tuple[Chain, ...],
     values: Mapping[str, Any],
 ) -> Evidence:
     """How a claim is judged: by a point, as a printed number, or by the engine."""

@@ -154,7 +154,7 @@ _UNLABELLED = re.compile(r"==|<=|>=|!=|:=|~=|->|[<>=~≤≥≠≈∼→]")
 _ASSUMED = re.compile(r"(?:let|assume|suppose)\s+(?:that\s+)?([^:]*(?:[<>=≤≥≠]).*)", re.IGNORECASE)
 _LETTER_E = re.compile(r"(?<![\w.])e(?!\w)")
 _QUOTED = re.compile(r"\$[^$]*\$|`[^`]*`")
-_CLAUSE = r"\s(?:given|as|at(?!\s+some\s+point\b)|on|using|expect|instead|quoted\s+from)\s+"
+CLAUSE = r"\s(?:given|as|at(?!\s+some\s+point\b)|on|using|expect|instead|quoted\s+from)\s+"
 _PLACE = r"(?:\s*\((\w[\w.]*)\)|\s*\[([^\]]*)\])?"
 _ASSUME = re.compile(rf"assume\s+([A-Za-z][\w-]*){_PLACE}\s*:(?!=)\s*(.*)")
 _LET = re.compile(rf"let\s+([A-Za-z][\w-]*){_PLACE}\s*:(?!=)\s*(.*)")
@@ -163,7 +163,7 @@ _USE = re.compile(
 )
 _STANDS_AT = re.compile(r"\s{2,}\((\w[\w.]*)\)$")
 _REASON = re.compile(
-    r"(\S*)\s+\[[^\[\]]*\](?=\s*(?:$|[<>=!]=?\s|(?:given|as|at|on|using|expect|instead|quoted)\s))"
+    r"(\S*)\s+\[[^\[\]]*\](?=\s*(?:$|[<>=!]=?\s|(?:and|given|as|at|on|using|expect|instead|quoted)\s))"
 )
 """Words behind a step of a derivation; behind the word "in" they are an interval."""
 _ROUNDED = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
@@ -1352,7 +1352,7 @@ def label_of(printed: str) -> str:
 def _clauses(written: str) -> tuple[str, dict[str, str]]:
     """Return the formula of a claim and its clauses by their words."""
     text = f"{written} "
-    places_ = places(text, _CLAUSE)
+    places_ = places(text, CLAUSE)
     ends = [first for first, _ in places_[1:]] + [len(text)]
     formula = text[: places_[0][0]] if places_ else text
     found: dict[str, str] = {}

@@ -114,7 +114,9 @@ class Decided:
         gauge: the gauge of a bound.
         remainder: a `Remainder`: how the order printed in the paper is interpreted; or None.
         also: further claims behind the symbols of the statement.
-        steps: the expressions between the two sides of an equation, each decided to equal the next.
+        steps: for each part of the statement, all of them equations, the chain that leads from its
+            left to its right side. Each step is decided, with the equations put in that it names;
+            all of them if it names none.
     """
 
     put: tuple[Claim, ...] = ()
@@ -124,7 +126,7 @@ class Decided:
     gauge: Expression = S.One
     remainder: Any = None
     also: tuple[Claim, ...] = field(default=())
-    steps: tuple[Expression, ...] = ()
+    steps: tuple[Chain, ...] = ()
     expect: ClassVar[Ruling] = Verdict.ENCLOSED
 
     @property
@@ -145,8 +147,9 @@ class Decided:
     @property
     def chains(self) -> tuple[Chain, ...]:
         """The derivation that is printed: the steps, with the claims whose equations are put in."""
-        why = (Reason("substituting", claims=self.put),) if self.put else ()
-        return ((*(Step(e, ()) for e in self.steps), Step(None, why)),) if self.steps or why else ()
+        if self.steps or not self.put:
+            return self.steps
+        return ((Step(None, (Reason("substituting", claims=self.put),)),),)
 
 
 def judge_decided(claim: Claim, proof: Decided) -> Finding:
@@ -166,7 +169,11 @@ def judge_decided(claim: Claim, proof: Decided) -> Finding:
         return _order(claim, proof, says, rules, here)
     if not all(isinstance(part, Relational) for part in parts_of(says)):
         return _whole(claim, proof, says, rules, meant)
-    relations = list(_relations(_by_steps(says, proof.steps), rules, meant))
+    if proof.steps:
+        by_steps = _by_steps(claim, proof, says, given)
+        whole = None if by_steps.verdict.holds else judge_decided(claim, replace(proof, steps=()))
+        return whole if whole is not None and whole.verdict is Verdict.REFUTED else by_steps
+    relations = list(_relations(says, rules, meant))
     need(bool(relations), "the statement contains no relation")
     if proof.constant is not None:
         size = tree(Rational(int(proof.constant.p), int(proof.constant.q)) * proof.gauge)
@@ -204,18 +211,31 @@ def _whole(claim: Claim, proof: Decided, says: Basic, rules: Rules, given: Condi
     return _found([decide_compound(whole, decide_claim)], not open_ and proof.restricts_nothing)
 
 
-def _by_steps(says: Basic, steps: tuple[Expression, ...]) -> Basic:
-    """Return the equations of a chain, from which the statement follows.
+def _by_steps(claim: Claim, proof: Decided, says: Basic, given: Conditions) -> Finding:
+    """Return the finding on a derivation; a step that is false refutes nothing.
 
     Raises:
-        NotShownError: the statement is no equation.
+        NotShownError: there is not one chain for each part, or the condition of an equation that is
+            put in is not shown.
     """
-    if not steps:
-        return says
-    need(isinstance(says, Eq), "only an equation is derived by steps")
-    first, last = says.args
-    between = zip((first, *steps), (*steps, last), strict=True)
-    return Tuple(*(equal(x, y) for x, y in between))
+    parts = parts_of(says)
+    answers = []
+    need(len(parts) == len(proof.steps), "there must be one chain for each part of the statement")
+    for part, chain in zip(parts, proof.steps, strict=True):
+        need(isinstance(part, Eq), "only an equation is derived by steps")
+        left, last = part.args
+        for link in chain:
+            right = last if link.expression is None else link.expression
+            named = tuple(c for r in link.reasons for c in r.claims if c in proof.put)
+            rules, meant = instantiated(named or proof.put, given)
+            asked = tuple((c.left, c.sign, c.right) for c in put_into(given, rules))
+            for r in _relations(equal(left, right), rules, meant):
+                answers.append(decide_claim(stated(((r.left, r.sign, r.right),), asked)))
+            left = right
+        need(left == last, "a chain must end at the right side of the equation")
+    found = _found(answers, False)
+    region = ", ".join(map(str, claim.given)) or None
+    return replace(found, region=region) if found.verdict.holds else found
 
 
 def _found(answers: list[Answer], refutes: bool) -> Finding:
