@@ -140,3 +140,8 @@ def test_a_claim_is_asserted_by_its_verdict() -> None:
         assert_claim("log(-1 - x**2) == 0")
     with pytest.raises(tresym.InputError):
         assert_claim("x +")
+
+
+def test_an_arithmetic_error_is_named() -> None:
+    with pytest.raises(AssertionError, match=r"= ZeroDivisionError \(.*\), but"):
+        assert_close(lambda x: 1 / 0, "sin(x)", "0 < x, x < 1")

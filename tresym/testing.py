@@ -14,7 +14,7 @@ Example::
     def test_sinc():
         assert_close(sinc, "sin(x)/x", given="0 < x <= 3", rtol=1e-14)
 
-Needs hypothesis: ``pip install hypothesis``.
+Needs hypothesis: ``pip install 'tresym[testing]'``.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ def points(
         >>> sorted(points("0 < b <= 1, a > 2").example())  # doctest: +SKIP
         ['a', 'b']
     """
-    from hypothesis import strategies as st
+    st = _hypothesis().strategies
 
     region, integers = _region(given)
     e = None if near is None else read(near)
@@ -147,7 +147,7 @@ def _whole(where: Interval, name: str) -> tuple[int, int]:
 
 def _coordinate(where: Interval) -> SearchStrategy[Fraction]:
     """Return a strategy for one coordinate: simple values, values near the ends, and far ones."""
-    from hypothesis import strategies as st
+    st = _hypothesis().strategies
 
     low, high = (None if end is None else Fraction(int(end.p), int(end.q)) for end in where[:2])
     small = st.integers(1, NEAREST).map(lambda k: Fraction(1, 2**k))
@@ -205,6 +205,34 @@ def _zero(part: Expr, name: str, point: Point, where: Interval) -> Fraction | No
     return Fraction((a + b) / 2)
 
 
+def _hypothesis() -> Any:
+    """Return the package that chooses the points.
+
+    Raises:
+        InputError: it is not installed.
+    """
+    try:
+        import hypothesis
+    except ImportError:
+        what = "tresym.testing chooses points with Hypothesis: pip install 'tresym[testing]'"
+        raise InputError(what) from None
+    return hypothesis
+
+
+class _Raised(float):
+    """No number, with the error that a function raised instead of returning one."""
+
+    def __new__(cls, error: ArithmeticError) -> _Raised:
+        found = super().__new__(cls, "nan")
+        found.error = error
+        return found
+
+    error: ArithmeticError
+
+    def __repr__(self) -> str:
+        return f"{type(self.error).__name__} ({self.error})"
+
+
 class _MissError(AssertionError):
     """A function differs from the certified value."""
 
@@ -243,7 +271,7 @@ def assert_close(
         Traceback (most recent call last):
         AssertionError
     """
-    import hypothesis
+    hypothesis = _hypothesis()
 
     e = read(expression)
     compared = 0
@@ -333,8 +361,8 @@ def _compared(
         return None
     try:
         return float(_called(function, at)), true, at
-    except ArithmeticError:
-        return math.nan, true, at
+    except ArithmeticError as error:
+        return _Raised(error), true, at
 
 
 def _called(function: Function, at: dict[str, float]) -> Any:
@@ -440,7 +468,7 @@ def accuracy(
         >>> accuracy(lambda x: math.cosh(x) - 1, "cosh(x) - 1", "0 < x <= 1").quantile(0) < 3
         True
     """
-    import hypothesis
+    hypothesis = _hypothesis()
 
     e = read(expression)
     found: dict[tuple[float, ...], tuple[dict[str, float], float, arb]] = {}

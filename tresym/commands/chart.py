@@ -19,7 +19,7 @@ def add(commands: Commands) -> None:
         "double precision loses (chart stability EXPRESSION), or one chart of the "
         "measurements stored by tresym bench --save. Without a name, list these "
         "charts.",
-        epilog="Needs matplotlib: pip install -e '.[docs]'.",
+        epilog="Needs matplotlib: pip install 'tresym[docs]'.",
     )
     parser.add_argument(
         "name",

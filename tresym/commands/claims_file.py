@@ -25,7 +25,7 @@ from tresym.output import (
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
-    from tresym.papers.reading import OwnPaper
+    from tresym.papers.reading import OwnPaper, Problem
     from tresym.papers.verification import PaperReport, Row
     from tresym.report.pages.own_paper import Pictures
 
@@ -52,8 +52,15 @@ def opened(path: str) -> OwnPaper:
     from tresym.papers.reading import read_file
 
     paper = read_file(path)
+    places: dict[str, list[Problem]] = {}
     for problem in paper.problems:
-        print(f"{path}:{problem.line}:{problem.column}: {problem.message}", file=sys.stderr)
+        places.setdefault(problem.message, []).append(problem)
+    for message, (first, *more) in places.items():
+        lines = ", ".join(str(problem.line) for problem in more)
+        same = f"; the same in line {lines}" if len(more) == 1 else f"; the same in lines {lines}"
+        print(
+            f"{path}:{first.line}:{first.column}: {message}{same if more else ''}", file=sys.stderr
+        )
     return paper
 
 

@@ -35,7 +35,7 @@ def add(commands: Commands) -> None:
             "named claims."
         ),
         epilog="With -o article.tex the figures are written to the folder article-figures. They "
-        "need matplotlib: pip install -e '.[docs]'. "
+        "need matplotlib: pip install 'tresym[docs]'. "
         "Exit status: 1, without output, if a requested claim is refuted.",
     )
     parser.add_argument(
@@ -177,7 +177,7 @@ def _drawing(figures: dict[str, str], kind: str) -> Iterator[dict[str, Future[by
 
     if find_spec("matplotlib") is None:
         raise InputError(
-            "derive: figures need matplotlib (pip install -e '.[docs]'); "
+            "derive: figures need matplotlib (pip install 'tresym[docs]'); "
             "--no-figures omits the figures"
         )
     with Processes(1) as processes:

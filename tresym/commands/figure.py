@@ -30,8 +30,8 @@ def add(commands: Commands) -> None:
         help="draw a figure of the paper, also for your own body",
         description="Draw one figure. Without a name, list all figures. flip-portrait, flip-map, "
         "flip-curves and racket-flip can be drawn for any body.",
-        epilog="Needs matplotlib: pip install -e '.[docs]'; for an MP4 imageio-ffmpeg: "
-        "pip install -e '.[docs,video]'.",
+        epilog="Needs matplotlib: pip install 'tresym[docs]'; for an MP4 imageio-ffmpeg: "
+        "pip install 'tresym[docs,video]'.",
     )
     parser.add_argument("name", nargs="?", metavar="NAME", help="a figure, such as flip-map")
     add_body(parser, required=False)

@@ -287,7 +287,7 @@ def _pyarrow() -> Any:
         import pyarrow.parquet
     except ImportError:
         raise InputError(
-            "Parquet needs pyarrow (pip install -e '.[parquet]'); CSV does not"
+            "Parquet needs pyarrow (pip install 'tresym[parquet]'); CSV does not"
         ) from None
     return pyarrow
 

@@ -222,7 +222,7 @@ def cluster(address: str) -> Iterator[Workers]:
         from distributed import Client, KilledWorker
         from distributed.comm import CommClosedError
     except ImportError:
-        raise InputError("cluster: needs Dask (pip install -e '.[cluster]')") from None
+        raise InputError("cluster: needs Dask (pip install 'tresym[cluster]')") from None
     _knock(address)
     with _unheard():
         yield from _led(address, Client, (KilledWorker, CommClosedError, CancelledError))

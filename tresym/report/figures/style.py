@@ -75,7 +75,7 @@ def looks(printed: bool = False) -> Iterator[None]:
     try:
         import matplotlib
     except ModuleNotFoundError:
-        raise InputError("figure: needs matplotlib (pip install -e '.[docs]')") from None
+        raise InputError("figure: needs matplotlib (pip install 'tresym[docs]')") from None
     logging.getLogger("fontTools").setLevel(logging.ERROR)  # it warns of the dates of cmr10
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
