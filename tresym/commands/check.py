@@ -182,7 +182,8 @@ def _in_coq(
 ) -> dict[str, object]:
     """Export a claim to Coq, and return the outcome; the file is written if there is a proof."""
     from tresym.coq.candidate_search import export
-    from tresym.coq.claim_export import theorems, theorems_of_parts
+    from tresym.coq.claim_export import theorems_of_parts
+    from tresym.coq.constant_proofs import with_constant
     from tresym.coq.statement import NotExportedError
     from tresym.output import write_text
     from tresym.reals.decisions.claim_parsing import read
@@ -195,8 +196,10 @@ def _in_coq(
         }
     try:
         whole = read_compound(claim, given, path)
-        said = theorems(read(claim, given, path)) if whole is None else theorems_of_parts(whole)
-        outcome = export(said)
+        if whole is None:
+            outcome = export(*with_constant(read(claim, given, path), answer))
+        else:
+            outcome = export(theorems_of_parts(whole))
     except NotExportedError as error:
         return {"accepted": None, "says": str(error)}
     if outcome.accepted is False:

@@ -443,3 +443,87 @@ Ltac g_slopes := let k := fresh in let u := fresh in intros k u ? U; apply Rabs_
 Ltac g_values := let k := fresh in intros k ?; rewrite whole_fact_R;
   g_each k ltac:(fun _ => cbn [whole_fact Z.of_nat Pos.of_succ_nat Pos.succ]; first [g_field | at_values; rewrite ?sqrt_1; g_field]).
 Ltac g_continues := cbv beta iota; continues; g_side.
+
+(* Orders with a constant on a region: Taylor's theorem from the right. *)
+Lemma rises (f df : R -> R) r : (forall u, 0 <= u <= r -> is_derive f u (df u)) ->
+  (forall u, 0 <= u <= r -> 0 <= df u) -> f 0 = 0 -> forall t, 0 <= t <= r -> 0 <= f t.
+Proof.
+  intros D P Z t T; destruct (MVT_gen f 0 t df) as [c [I E]].
+  - intros u U; rewrite Rmin_left, Rmax_right in U by lra; apply D; lra.
+  - intros u U; rewrite Rmin_left, Rmax_right in U by lra.
+    apply continuity_pt_filterlim, (ex_derive_continuous f u); exists (df u); apply D; lra.
+  - rewrite Rmin_left, Rmax_right in I by lra; specialize (P c ltac:(lra)); nra.
+Qed.
+Lemma taylor_right n : forall (h : nat -> R -> R) (M r : R),
+  (forall k u, (k < n)%nat -> 0 <= u <= r -> is_derive (h k) u (h (S k) u)) ->
+  (forall k, (k < n)%nat -> h k 0 = 0) -> (forall u, 0 <= u <= r -> Rabs (h n u) <= M) ->
+  forall t, 0 <= t <= r -> Rabs (h O t) <= M / INR (fact n) * t ^ n.
+Proof.
+  induction n as [|n IH]; intros h M r D Z B t T.
+  - specialize (B t T); simpl; lra.
+  - assert (B1 : forall u, 0 <= u <= r -> Rabs (h 1%nat u) <= M / INR (fact n) * u ^ n).
+    { intros u U; refine (IH (fun k => h (S k)) M r _ _ _ u U).
+      - intros k v K V; apply (D (S k)); [lia | exact V].
+      - intros k K; apply Z; lia.
+      - exact B. }
+    assert (P : forall u, is_derive (fun u : R => M / INR (fact (S n)) * u ^ S n) u (M / INR (fact n) * u ^ n)).
+    { intros u; assert (Q : is_derive (fun u : R => u ^ S n) u (INR (S n) * 1 * u ^ n))
+        by apply (is_derive_pow (fun u => u) (S n) u 1 (d_id u)).
+      eapply d_eq; [exact (is_derive_scal _ _ (M / INR (fact (S n))) _ Q) |].
+      rewrite fact_simpl, mult_INR; field; split; [apply INR_fact_neq_0 | apply not_0_INR; lia]. }
+    assert (Z0 : h O 0 = 0) by (apply Z; lia).
+    assert (E : M / INR (fact (S n)) * 0 ^ S n = 0) by (simpl; ring).
+    assert (D0 : forall u, 0 <= u <= r -> is_derive (h O) u (h 1%nat u)) by (intros; apply D; [lia | assumption]).
+    apply Rabs_le; split.
+    + assert (0 <= M / INR (fact (S n)) * t ^ S n + h O t); [| lra].
+      apply (rises (fun u => M / INR (fact (S n)) * u ^ S n + h O u) (fun u => M / INR (fact n) * u ^ n + h 1%nat u) r); [| | lra | exact T].
+      * intros u U; exact (d_plus _ _ _ _ _ (P u) (D0 u U)).
+      * intros u U; specialize (B1 u U); apply Rabs_le_between in B1; lra.
+    + assert (0 <= M / INR (fact (S n)) * t ^ S n - h O t); [| lra].
+      apply (rises (fun u => M / INR (fact (S n)) * u ^ S n - h O u) (fun u => M / INR (fact n) * u ^ n - h 1%nat u) r); [| | lra | exact T].
+      * intros u U; exact (d_minus _ _ _ _ _ (P u) (D0 u U)).
+      * intros u U; specialize (B1 u U); apply Rabs_le_between in B1; lra.
+Qed.
+Lemma taylor_within n (h : nat -> R -> R) (C r : R) :
+  (forall k u, (k < n)%nat -> 0 <= u <= r -> is_derive (h k) u (h (S k) u)) ->
+  (forall k, (k < n)%nat -> h k 0 = 0) -> (forall u, 0 <= u <= r -> Rabs (h n u) <= C * whole_fact n) ->
+  forall t, 0 <= t <= r -> Rabs (h O t) <= C * t ^ n.
+Proof.
+  intros D Z B t T; rewrite <- whole_fact_R in B; pose proof (taylor_right n h _ r D Z B t T) as A.
+  eapply Rle_trans; [exact A |]; right; field; apply INR_fact_neq_0.
+Qed.
+Lemma scaled (f g h c C t : R) n k : 0 < t -> h = f * t ^ k -> g * t ^ k = c * t ^ n ->
+  Rabs h <= C * Rabs c * t ^ n -> Rabs f <= C * Rabs g.
+Proof.
+  intros T H G B; assert (K : 0 < t ^ k) by now apply pow_lt.
+  assert (N : 0 < t ^ n) by now apply pow_lt.
+  apply (f_equal Rabs) in H; apply (f_equal Rabs) in G; rewrite !Rabs_mult, ?(Rabs_pos_eq (t ^ k)), ?(Rabs_pos_eq (t ^ n)) in * by lra.
+  apply (Rmult_le_reg_r (t ^ k)); [exact K |]; rewrite <- H, Rmult_assoc, G; lra.
+Qed.
+Lemma two_sides (u v : R) : 0 <= v + u -> 0 <= v - u -> Rabs u <= v.
+Proof. intros; apply Rabs_le; lra. Qed.
+Lemma sqrt_pull t j x y : 0 < t -> y = x * t ^ (j + j) -> sqrt x = sqrt y * / t ^ j.
+Proof.
+  intros T ->; rewrite <- sqrt_in by exact T; assert (0 < t ^ j) by now apply pow_lt.
+  field; lra.
+Qed.
+Ltac w_side := cbv beta; first
+  [ assumption | lra | nra | positive
+  | apply Rgt_not_eq; first [positive | nra | interval]
+  | apply Rlt_not_eq; first [nra | interval] | interval | apart_ ].
+Ltac w_slopes := let k := fresh in let u := fresh in intros k u ? U;
+  g_each k ltac:(fun _ => eapply d_eq; [derive; w_side | tidy; first [ring | field; repeat split; w_side | slope]]).
+Ltac w_values := let k := fresh in intros k ?;
+  g_each k ltac:(fun _ => first [g_field | at_values; rewrite ?sqrt_1; g_field | equal_numbers]).
+Ltac w_equal := cbv beta; first [ring | field; repeat split; w_side].
+Lemma far_side x X r : 0 < X -> X <= x -> / X = r -> 0 < / x <= r.
+Proof.
+  intros P L <-; split; [apply Rinv_0_lt_compat; lra | apply Rinv_le_contravar; assumption].
+Qed.
+Lemma asin_turned x : asin ((-1) * x) = (-1) * asin x.
+Proof. replace ((-1) * x) with (- x) by ring; rewrite asin_opp; ring. Qed.
+Lemma without_signs (f g C u v : R) : Rabs f = u -> Rabs g = v -> u <= C * v -> Rabs f <= C * Rabs g.
+Proof. intros -> ->; exact (fun H => H). Qed.
+Ltac w_region := first [w_side | split_Rabs; w_side].
+Ltac w_positive := first [left; positive | lra | nra | left; apply exp_pos | left; apply Rinv_0_lt_compat; lra
+  | apply Rmult_le_pos; w_positive | apply pow_le; w_positive].

@@ -19,6 +19,7 @@ from tresym.coq.bound_statements import (
     naturally,
 )
 from tresym.coq.claim_export import theorem
+from tresym.coq.constant_proofs import constant_proofs
 from tresym.coq.equations import exchanged, nodes
 from tresym.coq.limit_proofs import Limits, StuckLimitError
 from tresym.coq.order_proofs import path_proofs
@@ -54,6 +55,9 @@ def bound_proofs(theorem: BoundTheorem, prove: Prove) -> Iterator[str]:
     """
     claim = theorem.claim
     if no_search(theorem) is not None:
+        return
+    if theorem.bounded is not None:
+        yield from constant_proofs(theorem, _intros(theorem), prove)
         return
     if theorem.statement.path is not None:
         yield from path_proofs(theorem, _intros(theorem))

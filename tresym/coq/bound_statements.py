@@ -10,6 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import NamedTuple
+
+from flint import fmpq
 
 from tresym.coq.statement import ATOM, NotExportedError, comparison, condition, term, variable
 from tresym.coq.theorem_trees import inside
@@ -38,6 +41,20 @@ MINUS_INFINITY = -INFINITY
 AND = " /\\ "
 
 
+class Bounded(NamedTuple):
+    """That an order holds with a constant where |x - a|, or 1/|x|, is at most ``reach``.
+
+    Attributes:
+        constant: the constant, a rational number.
+        reach: None for all x > 0, or x < 0.
+        region: the region as the answer says it.
+    """
+
+    constant: Expr
+    reach: fmpq | None
+    region: str
+
+
 @dataclass(frozen=True)
 class BoundTheorem:
     """A theorem about integrals, sums or a limit.
@@ -48,6 +65,7 @@ class BoundTheorem:
         naturals: the variables that are natural numbers.
         premises: the conditions as Coq text.
         says: the conclusions as Coq text.
+        bounded: for an order with a constant on a region, these.
     """
 
     name: str
@@ -57,6 +75,7 @@ class BoundTheorem:
     naturals: tuple[str, ...]
     premises: tuple[str, ...]
     says: tuple[str, ...]
+    bounded: Bounded | None = None
 
     @property
     def body(self) -> str:

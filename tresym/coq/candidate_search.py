@@ -28,10 +28,12 @@ from tresym.coq.coqtop import (
 )
 from tresym.coq.equations import equation_proofs
 from tresym.coq.inequalities import inequality_proofs
+from tresym.coq.residual_proofs import has_residual, residual_proofs
 from tresym.coq.statement import Theorem
 from tresym.coq.stepwise_equations import stepwise
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import InputError, decimal_above
 
+CONSTANT_SECONDS = 20.0
 MISSING = "coqc is not installed, so the proof has not been checked by Coq"
 """Lines in which make says where it is, beside what Coq prints."""
 
@@ -62,6 +64,8 @@ def proofs(theorem: Theorem | BoundTheorem, prove: Prove = lambda _: None) -> It
         if isinstance(theorem, BoundTheorem):
             yield from bound_proofs(theorem, prove)
             return
+        if has_residual(theorem):
+            yield from residual_proofs(theorem, prove)
         if theorem.relation == "==":
             yield from equation_proofs(theorem)
         else:
@@ -70,12 +74,17 @@ def proofs(theorem: Theorem | BoundTheorem, prove: Prove = lambda _: None) -> It
         return
 
 
-def export(theorems: Sequence[Theorem | BoundTheorem], seconds: float = 120) -> Outcome:
-    """Search for proofs of the theorems and let Coq check the complete file.
+def export(
+    theorems: Sequence[Theorem | BoundTheorem],
+    also: BoundTheorem | None = None,
+    seconds: float = 120,
+) -> Outcome:
+    """Search for proofs of the theorems that Coq accepts.
 
     Args:
         theorems: the theorems.
-        seconds: wall time for the search, and again for the final check.
+        also: an order with its constant, which the file also contains if a proof is found.
+        seconds: wall time for the search.
     """
     unsearched = next((why for theorem in theorems if (why := no_search(theorem))), None)
     if unsearched is not None:
@@ -94,9 +103,23 @@ def export(theorems: Sequence[Theorem | BoundTheorem], seconds: float = 120) -> 
                 says = f"no proof of {theorem.name} was found that Coq accepts"
                 return Outcome(False, says, file_of(theorems, proved_by))
             proved_by.append(proof)
+        if also is not None:
+            proof = found_by(also, coq, min(start + seconds, time.monotonic() + CONSTANT_SECONDS))
+            if proof is not None and is_proved(also, proof, coq):
+                theorems = [*theorems, also]
+                proved_by.append(proof)
     took = time.monotonic() - start
     says = f"accepted by Coq {version()} in {took:.1f} s; {_rests(lemmas, proved_by)}"
+    says += "".join(map(_constant_text, theorems))
     return Outcome(True, says, file_of(theorems, proved_by))
+
+
+def _constant_text(theorem: Theorem | BoundTheorem) -> str:
+    """Return with which constant an order is proved; empty for another theorem."""
+    if isinstance(theorem, Theorem) or theorem.bounded is None:
+        return ""
+    constant, _, region = theorem.bounded
+    return f"; proved with C = {decimal_above(constant.args[0], 3)} on {region}"
 
 
 def _rests(lemmas: str, found: Iterable[str]) -> str:
@@ -118,10 +141,13 @@ def is_proved(theorem: Theorem | BoundTheorem, proof: str, coq: Dialogue) -> boo
 
 
 def bound(theorems: Iterable[Theorem | BoundTheorem]) -> str:
-    """Return the texts of ``Bound.v`` and ``Orders.v`` if one of the theorems needs them."""
-    found = [theorem for theorem in theorems if isinstance(theorem, BoundTheorem)]
-    names = ["Bound.v"] if found else []
-    names += ["Orders.v"] if any(theorem.statement.path for theorem in found) else []
+    """Return the texts of the files of lemmas, beside ``Tresym.v``, that the theorems need."""
+    found = [*theorems]
+    bounds = [theorem for theorem in found if isinstance(theorem, BoundTheorem)]
+    roots = any(isinstance(t, Theorem) and has_residual(t) for t in found)
+    names = ["Bound.v"] if bounds or roots else []
+    names += ["Orders.v"] if any(theorem.statement.path for theorem in bounds) else []
+    names += ["Lemmas.v"] if roots else []
     texts = (files("tresym.coq").joinpath(name).read_text(encoding="utf-8") for name in names)
     return "\n".join(texts)
 

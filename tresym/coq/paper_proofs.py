@@ -13,8 +13,10 @@ from typing import TYPE_CHECKING
 from tresym.coq.bound_statements import BoundTheorem
 from tresym.coq.candidate_search import Outcome, export
 from tresym.coq.claim_export import theorems, theorems_of_parts
+from tresym.coq.constant_proofs import with_constant
 from tresym.coq.statement import NotExportedError, Theorem
 from tresym.papers.reading import PaperClaim
+from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.language.formula import chained
 from tresym.reals.numbers.exact import InputError
@@ -33,7 +35,7 @@ def outcomes(report: PaperReport) -> Iterator[tuple[str, Outcome]]:
             yield row.label, Outcome(None, f"{row.verdict.value}: not exported", "")
             continue
         try:
-            yield row.label, export(_theorems(claim, file_name(row.label)))
+            yield row.label, export(*_theorems(claim, row.decisive, file_name(row.label)))
         except (NotExportedError, InputError) as error:
             yield row.label, Outcome(None, str(error), "")
 
@@ -43,8 +45,10 @@ def file_name(label: str) -> str:
     return re.sub(r"\W", "_", label)
 
 
-def _theorems(claim: PaperClaim, name: str) -> list[Theorem] | list[BoundTheorem]:
-    """Return the theorems of a claim.
+def _theorems(
+    claim: PaperClaim, answer: Answer | None, name: str
+) -> tuple[list[Theorem] | list[BoundTheorem], BoundTheorem | None]:
+    """Return the theorems of a claim, and for an order the one with its constant.
 
     Raises:
         NotExportedError: Coq's statements cannot express it.
@@ -52,7 +56,11 @@ def _theorems(claim: PaperClaim, name: str) -> list[Theorem] | list[BoundTheorem
     if not (claim.links or claim.whole) or claim.assumed:
         raise NotExportedError("labels and assumptions are not exported to Coq")
     if claim.whole is not None:
-        return theorems_of_parts(claim.whole, name)
+        return theorems_of_parts(claim.whole, name), None
+    if len(claim.links) == 1 and answer is not None:
+        (link,) = claim.links
+        asked = read(chained((link,)), chained(claim.conditions), claim.path)
+        return with_constant(asked, answer, f"{name}_1" if claim.is_derivation else name)
     plain: list[Theorem] = []
     bounds: list[BoundTheorem] = []
     for n, link in enumerate(claim.links, 1):
@@ -64,4 +72,4 @@ def _theorems(claim: PaperClaim, name: str) -> list[Theorem] | list[BoundTheorem
                 bounds.append(one)
     if plain and bounds:
         raise NotExportedError("limits and inequalities at points are exported to Coq one by one")
-    return plain or bounds
+    return plain or bounds, None

@@ -1,0 +1,139 @@
+(* Lemmas of analysis that proofs apply: roots by their residual, sums, differential inequalities. *)
+
+(* A root of f is near h if f h is small and the slope is at least m > 0 between them. *)
+Lemma root_by_residual (f df : R -> R) x h m g : 0 < m ->
+  (forall y, Rmin h x <= y <= Rmax h x -> is_derive f y (df y)) ->
+  (forall y, Rmin h x <= y <= Rmax h x -> m <= df y) ->
+  f x = 0 -> Rabs (f h) <= m * g -> Rabs (x - h) <= g.
+Proof.
+  intros M D L Z B; destruct (MVT_gen f h x df) as [c [I E]].
+  - intros y Y; apply D; lra.
+  - intros y Y; apply continuity_pt_filterlim, (ex_derive_continuous f y); exists (df y); apply D; lra.
+  - specialize (L c ltac:(lra)); rewrite Z in E; apply (Rmult_le_reg_l m); [exact M |].
+    eapply Rle_trans; [| exact B]; replace (f h) with (- (df c * (x - h))) by lra.
+    rewrite Rabs_Ropp, Rabs_mult, (Rabs_pos_eq (df c)) by lra.
+    apply Rmult_le_compat_r; [apply Rabs_pos | exact L].
+Qed.
+Lemma between a b y : Rmin a b <= y <= Rmax a b -> (a <= y <= b) \/ (b <= y <= a).
+Proof. unfold Rmin, Rmax; destruct (Rle_dec a b); lra. Qed.
+Ltac between_ := cbv beta; first
+  [ lra | assumption
+  | match goal with H : _ \/ _ |- _ => destruct H; first [lra | split_Rabs; lra | nra] end | inside_ ].
+
+(* Sums of a function that rises or falls, against its integral: the difference is at most the
+   larger of the values at the ends. *)
+Lemma terms_first (f : nat -> R) low n : terms f low (S n) = terms f low n + f (low + n)%nat.
+Proof. reflexivity. Qed.
+Lemma step_between (f F : R -> R) a : (forall y, a <= y <= a + 1 -> is_derive F y (f y)) ->
+  exists c, a <= c <= a + 1 /\ F (a + 1) - F a = f c.
+Proof.
+  intros D; destruct (MVT_gen F a (a + 1) f) as [c [I E]].
+  - intros y Y; rewrite Rmin_left, Rmax_right in Y by lra; apply D; lra.
+  - intros y Y; rewrite Rmin_left, Rmax_right in Y by lra.
+    apply continuity_pt_filterlim, (ex_derive_continuous F y); exists (f y); apply D; lra.
+  - rewrite Rmin_left, Rmax_right in I by lra; exists c; split; [exact I | rewrite E; ring].
+Qed.
+Lemma sum_falls (f F : R -> R) (low : nat) : (forall y, INR low <= y -> is_derive F y (f y)) ->
+  (forall x y, INR low <= x -> x <= y -> f y <= f x) ->
+  forall n, F (INR (low + n)) - F (INR low) <= terms (fun k => f (INR k)) low (S n) - f (INR (low + n))
+    /\ terms (fun k => f (INR k)) low (S n) <= F (INR (low + n)) - F (INR low) + f (INR low).
+Proof.
+  intros D M n; induction n as [|n [IH1 IH2]].
+  - rewrite Nat.add_0_r; simpl terms; rewrite Nat.add_0_r; lra.
+  - rewrite (terms_first _ low (S n)), Nat.add_succ_r, S_INR.
+    assert (B : INR low <= INR (low + n)) by (apply le_INR; lia).
+    destruct (step_between f F (INR (low + n))) as [c [C E]]; [intros y Y; apply D; lra |].
+    pose proof (M c (INR (low + n) + 1) ltac:(lra) ltac:(lra)).
+    pose proof (M (INR (low + n)) c ltac:(lra) ltac:(lra)); lra.
+Qed.
+Lemma sum_rises (f F : R -> R) (low : nat) : (forall y, INR low <= y -> is_derive F y (f y)) ->
+  (forall x y, INR low <= x -> x <= y -> f x <= f y) ->
+  forall n, F (INR (low + n)) - F (INR low) + f (INR low) <= terms (fun k => f (INR k)) low (S n)
+    /\ terms (fun k => f (INR k)) low (S n) - f (INR (low + n)) <= F (INR (low + n)) - F (INR low).
+Proof.
+  intros D M n; induction n as [|n [IH1 IH2]].
+  - rewrite Nat.add_0_r; simpl terms; rewrite Nat.add_0_r; lra.
+  - rewrite (terms_first _ low (S n)), Nat.add_succ_r, S_INR.
+    assert (B : INR low <= INR (low + n)) by (apply le_INR; lia).
+    destruct (step_between f F (INR (low + n))) as [c [C E]]; [intros y Y; apply D; lra |].
+    pose proof (M c (INR (low + n) + 1) ltac:(lra) ltac:(lra)).
+    pose proof (M (INR (low + n)) c ltac:(lra) ltac:(lra)); lra.
+Qed.
+
+(* Stolz: where b rises to infinity, a/b has the limit of the quotient of the differences. *)
+Lemma stolz_near (a b : nat -> R) (l e : R) N : 0 <= e ->
+  (forall n, (N <= n)%nat -> 0 < b (S n) - b n) ->
+  (forall n, (N <= n)%nat -> Rabs (a (S n) - a n - l * (b (S n) - b n)) <= e * (b (S n) - b n)) ->
+  forall n, (N <= n)%nat -> Rabs (a n - a N - l * (b n - b N)) <= e * (b n - b N).
+Proof.
+  intros E B A n L; induction L as [|n L IH].
+  - replace (a N - a N - l * (b N - b N)) with 0 by ring; rewrite Rabs_R0; lra.
+  - specialize (A n L); specialize (B n L).
+    replace (a (S n) - a N - l * (b (S n) - b N)) with
+      (a (S n) - a n - l * (b (S n) - b n) + (a n - a N - l * (b n - b N))) by ring.
+    eapply Rle_trans; [apply Rabs_triang |]; lra.
+Qed.
+Lemma stolz (a b : nat -> R) (l : R) : eventually (fun n => 0 < b (S n) - b n) ->
+  filterlim b eventually (Rbar_locally p_infty) ->
+  filterlim (fun n => (a (S n) - a n) * / (b (S n) - b n)) eventually (Rbar_locally l) ->
+  filterlim (fun n => a n * / b n) eventually (Rbar_locally l).
+Proof.
+  intros B I Q; apply filterlim_locally; intros eps; pose proof (cond_pos eps) as E.
+  pose proof (proj1 (filterlim_locally _ l) Q (mkposreal (eps / 2) ltac:(lra))) as C.
+  destruct (filter_and _ _ B C) as [N H].
+  set (K := Rabs (a N - l * b N) + eps / 2 * Rabs (b N)).
+  assert (J : eventually (fun n => Rmax 1 (4 * K / eps + 1) < b n)) by (apply I; exists (Rmax 1 (4 * K / eps + 1)); trivial).
+  assert (G : eventually (fun n => (N <= n)%nat)) by now exists N.
+  generalize (filter_and _ _ J G); apply filter_imp; intros n [X L].
+  pose proof (Rmax_l 1 (4 * K / eps + 1)); pose proof (Rmax_r 1 (4 * K / eps + 1)).
+  assert (S1 : Rabs (a n - a N - l * (b n - b N)) <= eps / 2 * (b n - b N)).
+  { apply stolz_near; [lra | intros m M; apply (H m M) | | exact L].
+    intros m M; destruct (H m M) as [P W]; change (Rabs ((a (S m) - a m) * / (b (S m) - b m) - l) < eps / 2) in W.
+    replace (a (S m) - a m - l * (b (S m) - b m)) with
+      (((a (S m) - a m) * / (b (S m) - b m) - l) * (b (S m) - b m)) by (field; lra).
+    rewrite Rabs_mult, (Rabs_pos_eq (b (S m) - b m)) by lra; apply Rmult_le_compat_r; lra. }
+  change (Rabs (a n * / b n - l) < eps).
+  replace (a n * / b n - l) with ((a n - l * b n) * / b n) by (field; lra).
+  rewrite Rabs_mult, (Rabs_pos_eq (/ b n)) by (left; apply Rinv_0_lt_compat; lra).
+  apply (Rmult_lt_reg_r (b n)); [lra |]; rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+  assert (S2 : Rabs (a n - l * b n) <= eps / 2 * b n + K).
+  { replace (a n - l * b n) with (a n - a N - l * (b n - b N) + (a N - l * b N)) by ring.
+    eapply Rle_trans; [apply Rabs_triang |]; unfold K.
+    assert (- b N <= Rabs (b N)) by (rewrite <- Rabs_Ropp; apply Rle_abs).
+    assert (eps / 2 * - b N <= eps / 2 * Rabs (b N)) by (apply Rmult_le_compat_l; lra); lra. }
+  assert (K0 : 0 <= K).
+  { unfold K; pose proof (Rabs_pos (a N - l * b N)); pose proof (Rabs_pos (b N)); assert (0 <= eps / 2 * Rabs (b N)) by (apply Rmult_le_pos; lra); lra. }
+  assert (S3 : 4 * K < eps * b n).
+  { apply (Rmult_lt_reg_r (/ eps)); [apply Rinv_0_lt_compat; lra |].
+    replace (eps * b n * / eps) with (b n) by (field; lra); unfold Rdiv in *; lra. }
+  lra.
+Qed.
+
+(* Gronwall: |y'| <= k |y| + c bounds y by the solution of the equation with equality. *)
+Lemma gronwall (y dy : R -> R) (k c T : R) : 0 < k -> 0 <= c ->
+  (forall t, 0 <= t <= T -> is_derive y t (dy t)) ->
+  (forall t, 0 <= t <= T -> dy t <= k * y t + c) ->
+  forall t, 0 <= t <= T -> y t <= (y 0 + c / k) * exp (k * t) - c / k.
+Proof.
+  intros K C D L t H.
+  set (u := fun s => (y s + c / k) * exp (- k * s)).
+  assert (U : forall s, 0 <= s <= T -> is_derive u s ((dy s - k * (y s + c / k)) * exp (- k * s))).
+  { intros s S1; unfold u; eapply d_eq.
+    - apply (d_mult (fun s => y s + c / k) (fun s => exp (- k * s))).
+      + eapply d_eq; [apply (d_plus y (fun _ => c / k)); [exact (D s S1) | apply d_const] | reflexivity].
+      + derive.
+    - cbv beta; ring. }
+  assert (M : u t <= u 0).
+  { destruct (MVT_gen u 0 t (fun s => (dy s - k * (y s + c / k)) * exp (- k * s))) as [s [I E]].
+    - intros s S1; rewrite Rmin_left, Rmax_right in S1 by lra; apply U; lra.
+    - intros s S1; rewrite Rmin_left, Rmax_right in S1 by lra.
+      apply continuity_pt_filterlim, (ex_derive_continuous u s); eexists; apply U; lra.
+    - rewrite Rmin_left, Rmax_right in I by lra; specialize (L s ltac:(lra)).
+      pose proof (exp_pos (- k * s)) as P; assert (Q : k * (y s + c / k) = k * y s + c) by (field; lra).
+      rewrite Q in E; assert (0 <= (k * y s + c - dy s) * exp (- k * s)) by (apply Rmult_le_pos; lra).
+      assert (0 <= (k * y s + c - dy s) * exp (- k * s) * t) by (apply Rmult_le_pos; lra); lra. }
+  unfold u in M; rewrite Rmult_0_r, exp_0, Rmult_1_r in M.
+  pose proof (exp_pos (k * t)) as P; assert (Q : exp (- k * t) * exp (k * t) = 1).
+  { rewrite <- exp_plus; replace (- k * t + k * t) with 0 by ring; apply exp_0. }
+  apply (Rmult_le_compat_r (exp (k * t))) in M; [| lra]; rewrite Rmult_assoc, Q in M; lra.
+Qed.
