@@ -31,7 +31,7 @@ from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.expansions.scale import T
 from tresym.reals.language.comparisons import LIMIT, Comparison
 from tresym.reals.language.expression import ZERO, Expr, number, substitute, symbols
-from tresym.reals.language.parsing import parse
+from tresym.reals.language.parsing import as_written
 from tresym.reals.language.paths import Path
 from tresym.reals.language.readings import in_latex
 from tresym.reals.language.typesetting import expression_in_latex
@@ -63,9 +63,10 @@ Table = tuple[tuple[str, ...], ...]
 
 @dataclass(frozen=True)
 class Step:
-    """A statement on which a proof rests, with its verdict and the reason."""
+    """A statement on which a proof rests, with its conditions, its verdict and the reason."""
 
     claim: str
+    given: str
     verdict: str
     why: str
 
@@ -129,14 +130,16 @@ class Explanation:
         if answer.lemma:
             yield f"{strong.format(name)} {words(answer.lemma[0].upper() + answer.lemma[1:])}.\n"
         if not answer.lemma or not self.steps:
-            yield f"{strong.format('Reason.')} {words(_reason(answer))}.\n"
+            reason = _reason(answer)
+            yield f"{strong.format('Reason.')} {words(reason[:1].upper() + reason[1:])}.\n"
         elif (note := answer.why.partition("; ")[2]) and answer.verdict.holds:
             yield f"{strong.format('It gives')} {words(note)}.\n"
         if self.steps:
             yield f"{strong.format('It needs')}\n"
             for n, step in enumerate(self.steps, 1):
+                under = f" for {formula(step.given)}" if step.given else ""
                 reason = f", because {words(step.why)}" if step.why else ""
-                yield f"{n}. {formula(step.claim)}: {step.verdict}{reason}."
+                yield f"{n}. {formula(step.claim)}{under}: {step.verdict}{reason}."
             yield ""
         if answer.constant is not None:
             where = f" on {formula(answer.region)}" if answer.region else ""
@@ -199,14 +202,13 @@ def _reason(answer: Answer) -> str:
 
 def _steps(answer: Answer) -> Iterator[Step]:
     for part in answer.obligations:
-        under = f" given {part.given}" if part.given else ""
         why = ""
         try:
             found = decide_claim(part.claim, part.given)
             why = found.in_text()[0] if found.verdict.value == part.verdict else ""
         except InputError:
             pass  # a statement in words, such as that a function is continuous
-        yield Step(part.claim + under, part.verdict, why)
+        yield Step(part.claim, part.given, part.verdict, why)
 
 
 @dataclass(frozen=True)
@@ -302,11 +304,21 @@ def _picture(answer: Answer) -> str:
     return ratio(curve, along, title, bound)
 
 
+_ORDER = re.compile(r"(.+) (O|o|Theta|omega) (.+?)( as .+)?")
+"""How an obligation states an order: ``left O right``."""
+
+
 def _formula(text: str) -> str:
-    shown = "" if " is " in text else in_latex(text) or region_latex(text)
+    if " is " in text:  # such as "1/k is continuous"
+        what, _, more = text.partition(" is ")
+        return f"{_formula(what)} is {_typeset(more)}"
+    if (order := _ORDER.fullmatch(text)) and "==" not in text:
+        left, sign, right, path = order.groups()
+        text = f"{left} == {sign}({right}){path or ''}"
+    shown = in_latex(text) or region_latex(text)
     if not shown and text != RATIO:
         with suppress(InputError):
-            shown = expression_in_latex(parse(text))
+            shown = expression_in_latex(as_written(text))
     return f"${shown}$" if shown else _typeset(text)
 
 
@@ -318,7 +330,7 @@ def _typeset(words: str) -> str:
 
 def _quoted(words: str) -> str:
     """Words as Markdown: what has signs of it is code."""
-    return re.sub(r"[^\s`]*[*_^<>|][^\s`]*", lambda word: f"`{word[0]}`", words)
+    return re.sub(r"[^\s`]*[*_^<>|][^\s`,;.]*", lambda word: f"`{word[0]}`", words)
 
 
 def _in_markdown(table: Table) -> Iterator[str]:

@@ -13,7 +13,7 @@ import re
 from collections.abc import Collection, Iterator
 
 from tresym.reals.language.expression import symbols
-from tresym.reals.language.parsing import parse, parse_given
+from tresym.reals.language.parsing import as_written, parse_given
 from tresym.reals.language.readings import in_latex
 from tresym.reals.language.typesetting import expression_in_latex, to_latex
 from tresym.reals.numbers.exact import InputError
@@ -66,7 +66,7 @@ def _formula(text: str, known: Collection[str]) -> str:
             shown = in_latex(text)
             names = set(_WORD.findall(text)) - {"given", "and", "integer", "as"}
             return shown if all(_is_variable(n, known) or f"{n}(" in text for n in names) else ""
-        e = parse(text)
+        e = as_written(text)
     except InputError:
         return ""
     return expression_in_latex(e) if all(_is_variable(n, known) for n in symbols(e)) else ""
