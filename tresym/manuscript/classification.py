@@ -52,7 +52,9 @@ SHARED = "for any value of the integral or sum on both sides"
 _WHOLES = frozenset(("integral", "sum", "product", "limit"))
 CUT = "the last digit is cut off, not rounded"
 EARLIER = "under conditions from earlier sections"
-_WORKED = frozenset(("antiderivative", "derivative", "integral", "nth", "limit", "sum", "product"))
+_WORKED = frozenset(
+    ("antiderivative", "coefficient", "derivative", "integral", "nth", "limit", "sum", "product")
+)
 """Expressions that are evaluated: an equality with one of these, or with a series, is not an
 equation to be solved."""
 

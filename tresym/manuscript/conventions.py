@@ -183,16 +183,28 @@ class StatedConventions:
         """Begin without conventions."""
         self.section: list[tuple[re.Pattern[str], str]] = []
         self.chapter: list[tuple[re.Pattern[str], str]] = []
+        self._whole: list[tuple[re.Pattern[str], str]] | None = None
 
-    def close(self, chapter: bool) -> None:
-        """End a section, or a chapter."""
-        self.section.clear()
+    def close(self, chapter: bool, inner: bool = False) -> None:
+        """End a section, or a chapter, or a subsection, which leaves those of its section."""
+        if inner and self._whole is None:
+            self._whole = [*self.section]
+        elif not inner:
+            self._whole = None
+        self.section = [*(self._whole or ())]
         if chapter:
             self.chapter.clear()
 
-    def hear(self, text: str) -> None:
-        """Note the conventions that a text states."""
+    def hear(self, text: str, lasting: bool = False) -> None:
+        """Note the conventions that a text states, or the title of a chapter, for all of it."""
+        before = len(self.section)
         self.see(text)
+        self._hear(text)
+        if lasting:
+            self.chapter += self.section[before:]
+            del self.section[before:]
+
+    def _hear(self, text: str) -> None:
         for one in CONVENTIONS:
             for found in one.words.finditer(text):
                 if not _DENIED.search(text, max(found.start() - 60, 0), found.start()):

@@ -93,7 +93,8 @@ class _Reading(LinkReader):
                 self.note(event)
             elif isinstance(event, Section):
                 self.memory.section(event.chapter)
-                self.conventions.close(event.chapter)
+                self.conventions.close(event.chapter, event.inner)
+                self.conventions.hear(event.title, event.chapter)
                 self.stated.clear()
                 self.values.clear()
                 if event.chapter:

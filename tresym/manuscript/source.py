@@ -108,6 +108,7 @@ class Section(NamedTuple):
     chapter: bool = False
     inner: bool = False
     """Whether it is a subsection, which belongs to the section before it."""
+    title: str = ""
 
 
 class Scope(NamedTuple):
@@ -241,9 +242,11 @@ class _Scanner:
                     continue
                 chapter = mark["section"] in ("\\chapter", "\\part")
                 inner = mark["section"] == "\\subsection"
-                yield Section(self.source.place(at)[1], chapter, inner)
-                if (title := _TITLE.match(self.text, at, stop)) is not None:
+                line, title = self.source.place(at)[1], _TITLE.match(self.text, at, stop)
+                if title is not None:
                     prose = at = title.end()
+                    words = self.prose(title.start(), title.end()).text
+                yield Section(line, chapter, inner, words if title else "")
             elif kind := display_at(mark) or self.own_display(mark[0]):
                 yield self.prose(prose, mark.start())
                 display, at = self.display(kind, mark.start(), at, stop, mark[0])
