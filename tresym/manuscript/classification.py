@@ -18,7 +18,13 @@ from tresym.manuscript.mentions import about, names_in
 from tresym.manuscript.printed_ranges import path_on_range
 from tresym.manuscript.source import Display
 from tresym.manuscript.terms import Head, base_of, unknown_in, variables_of_integrals
-from tresym.reals.language.binders import antiderivative, is_infinite, outermost
+from tresym.reals.language.binders import (
+    antiderivative,
+    elementary,
+    is_infinite,
+    limit,
+    outermost,
+)
 from tresym.reals.language.calls import INFINITY, UNKNOWN
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -30,7 +36,9 @@ from tresym.reals.language.expression import (
     add,
     factors_in,
     instantiate,
+    multiply,
     number,
+    opened,
     replaced,
     substitute,
     symbol,
@@ -194,6 +202,7 @@ def claim(
         fixed = memory.uses.numbers | names_in(under.given)
         left = memory.under_binders(left, known, fixed)
         right = memory.under_binders(right, known, fixed)
+        left, right = _as_one_limit(left), _as_one_limit(right)
     except InputError as error:
         return replace(read_so(link, compared), status=UNREAD, why=str(error))
     if signed and said.either and relation != "==":
@@ -320,6 +329,20 @@ def claim(
         link = replace(link, firm=False, unknown=True, otherwise=unread)
         return replace(link, obstacle=Obstacle.CONDITION)
     return replace(link, otherwise=undecided if keep and fallback[0] != DEFINED else fallback)
+
+
+def _as_one_limit(e: Expr) -> Expr:
+    """Return ``c lim f + d`` as the limit of ``c f + d``, which the engine knows."""
+    if e.op not in ("*", "+") or elementary(e):
+        return e
+    varying = [arg for arg in e.args if not elementary(arg)]
+    inner = _as_one_limit(varying[0])
+    if len(varying) > 1 or inner.op != "limit":
+        return e
+    rest = [arg for arg in e.args if elementary(arg)]
+    joined = add if e.op == "+" else multiply
+    (name,), body = opened(inner, frozenset().union(*map(symbols, rest), symbols(inner.args[1])))
+    return limit(joined(*rest, body), name, inner.args[1], int(inner.args[2].args[0]))
 
 
 def _by(*sides: Expr) -> set[str]:

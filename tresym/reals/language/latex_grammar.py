@@ -760,6 +760,12 @@ def read_values_at(cursor: Cursor, e: Expr) -> Piece:
     if len(names) != 1 or "_" not in ends:
         cursor.refuse("a bar or bracket with limits needs its variable: write the values out,")
     (name,) = names
+    infinite = ends["_"] in (INFINITY, -INFINITY)
+    if infinite and "^" in ends and ends["^"] not in (INFINITY, -INFINITY):
+        cursor.bar = cursor.at, name
+        return Piece(limit(at(e, {name: ends["^"]}) - e, name, ends["_"]))
+    if infinite:
+        cursor.refuse("values at both infinities need two limits: write them out,")
     low = at(e, {name: ends["_"]})
     if "^" not in ends:
         return Piece(low)
