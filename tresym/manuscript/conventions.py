@@ -159,6 +159,7 @@ _FINITE = re.compile(
 )
 _REMAINDERS = re.compile(r"\\(?:p?mod|pod)(?![a-zA-Z])|\\(?:text|mathrm)\s*\{\s*\(?\s*mod\b")
 """A modulus at the end of a chain, which holds for all of its links; ``\\bmod`` is an operation."""
+_THIRD = re.compile(r"\\[dt]?binom\s*\{[^{}]*\}\s*\{[^{}]*\}\s*\{[^{}]*\}(?!\s*[\^_])")
 _VARIES = re.compile(
     r"\$([^$]{1,30})\$[\s~,]*(?:(?:itself|also|slowly|now)[\s~]+)?"
     r"(?:varies|vary|varying|changes|depends?|is[\s~]+not[\s~]+constant"
@@ -233,6 +234,8 @@ class StatedConventions:
 
     def against(self, display: str) -> str:
         """Return why a display is left unread because of a convention; empty if it is not."""
+        if _THIRD.search(display):
+            return "\\binom takes two arguments; here it has three, and may be the author's own"
         if _REMAINDERS.search(display):
             return "the display compares numbers by their remainders"
         stated = reversed((*self.chapter, *self.section))

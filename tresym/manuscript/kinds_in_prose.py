@@ -19,6 +19,11 @@ BY_NAME = {
 """The kinds by the words of a directive."""
 
 _SPACES = r"(?:(?:vector|linear|Banach|Hilbert|metric|topological|normed|measure|probability) )?"
+_ALGEBRAIC = "".join(
+    rf"(?<!{word}[\s~])"
+    for word in ("uniform", "scalar", "force", "gravitational", "external", "constant", "inner")
+)
+"""What a field is not called that is a set of numbers."""
 _ALGEBRAS = r"(?:sub|(?:Lie|Banach|Boolean|Clifford|exterior|tensor|operator|sigma|C\*)[\s~-]+)"
 _KIND_OF_SET = (
     r"(?:the|a|an|any|every|each|some|this|finite|open|closed|compact|empty|countable|bounded"
@@ -53,7 +58,8 @@ _NOUNS = (
         r"sheaf|sheaves|bundles?|connections?|curvature forms?|morphisms?|vertices|simplices",
     ),
     (SET, rf"(?:sub|super)sets?|sets|{_KIND_OF_SET}set|(?:sub)?groups?|(?:sub)?rings?|modules?"),
-    (SET, rf"(?:sub)?{_SPACES}spaces?|ideals?|(?:sub)?fields?|{_ALGEBRAS}algebras?|manifolds?"),
+    (SET, rf"(?:sub)?{_SPACES}spaces?|ideals?|(?:sub)?{_ALGEBRAIC}fields?"),
+    (SET, rf"{_ALGEBRAS}algebras?|manifolds?"),
     (
         SET,
         r"events?|categor(?:y|ies)|domains?|collections?|famil(?:y|ies)",

@@ -1,7 +1,8 @@
 r"""Quantities with units: ``\SI{24}{\hour} = \SI{86400}{\second}`` compares the same unit.
 
 The numbers of a display are compared without their units where all of these are the same, or are
-those of the international system without prefix (m, kg, s, A, ...), which need no factors. Where
+those of the international system without prefix (m, kg, s, A, ...), which need no factors. Units
+are written with the package siunitx, or upright behind a number: ``5\,\mathrm{km}``. Where
 one of them is another, each quantity is its number times the factor of its unit: 24 hours are
 24 · 3600, and 6371 kilometres 6371 · 10^3. Where a unit is not known, the quantities are left
 unread, since their numbers alone say nothing.
@@ -60,6 +61,12 @@ _WITHOUT = frozenset(
 )
 
 
+_UPRIGHT = re.compile(
+    r"(?<=[\d})])(?P<space>(?:\s|~|\\[ ,;:!])*)(?:\\(?:text|mathrm|textrm|mbox|rm)\s*\{"
+    r"(?P<unit>\s*(?:\\[ ,])?(?:[a-zA-Z/.\s^\d-]|\\cdot|\\mu|\\[ ,]|\^\{-?\d\})*?[a-zA-Z\d}]\s*)\}"
+    r"(?P<power>\s*\^\s*\{?\s*-?\d\s*\}?)?|(?P<ohm>\\Omega(?![a-zA-Z])))"
+)
+"""Upright letters behind a number, which may be its unit."""
 _COMMAND = re.compile(
     r"\s*(?:\\([a-zA-Z]+)(?:\s*\{\s*(-?\d+)\s*\})?|([a-zA-Z]+)|(\^\s*\{?\s*(-?\d+)\s*\}?)|([/.~])"
     r"|(\\[ ,]))\s*"
@@ -68,6 +75,7 @@ _COMMAND = re.compile(
 
 def in_one_system(text: str) -> str:
     """Return the display with its quantities as numbers in one system of units."""
+    text = _without_upright_units(text)
     found = list(_quantities(text))
     units = {unit for *_, unit in found}
     factors = {unit: factor_of(unit) for unit in units}
@@ -81,6 +89,40 @@ def in_one_system(text: str) -> str:
             made = f"({made})"
         text = f"{text[:start]} {made} {text[end:]}"
     return text
+
+
+def _without_upright_units(text: str) -> str:
+    """Write ``5\\,\\mathrm{km}`` as a number of metres if all upright words behind numbers are
+    units of the international system, up to a power of ten."""
+    found = [mark for mark in _UPRIGHT.finditer(text) if not _is_below(text, mark.start())]
+    if not any(mark["unit"] for mark in found) or any(_factor_behind(mark) is None for mark in found):
+        return text
+    scaled = [mark for mark in found if _factor_behind(mark) != 0]
+    if any("/" in re.split(r"[=<>&]", text[: mark.start()])[-1] for mark in scaled):
+        return text
+    for mark in reversed(found):
+        exponent = _factor_behind(mark)
+        times = rf" \times 10^{{{exponent}}} " if exponent else " "
+        text = text[: mark.start()] + times + text[mark.end() :]
+    return text
+
+
+def _factor_behind(mark: re.Match[str]) -> int | None:
+    """Return the power of ten of the unit behind a number; None if it is not known."""
+    if mark["ohm"]:
+        return 0
+    unit = re.sub(
+        r"\\cdot|\\[ ,]|\\mu(?![a-z])\s*", lambda m: "u" if "mu" in m[0] else ".", mark["unit"]
+    )
+    spaced = mark["unit"][:1].isspace() or mark["space"].strip() or len(unit.strip()) > 1
+    power = mark["power"] or ""
+    found = factor_of(f"{unit.strip()}{power}") if spaced else None
+    return found[1] if found and found[0] == 1 else None
+
+
+def _is_below(text: str, at: int) -> bool:
+    """Whether a place is in an index, ``v_{2\\,\\text{s}}``."""
+    return bool(re.search(r"_\s*\{[^{}]*\Z", text[:at]))
 
 
 def _quantities(text: str) -> list[tuple[int, int, str, str]]:

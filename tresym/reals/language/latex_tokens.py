@@ -76,6 +76,7 @@ _STAR = re.compile(
     rf"{_LETTER}{_SUBSCRIPT}\s*\^\s*(?:\{{\s*(?:\*|\\ast|\\star)\s*\}}|\*|\\ast|\\star)"
 )
 _OVER = re.compile(r"\{([^{}]*)\\over(?![a-zA-Z])([^{}]*)\}")
+_CHOOSE = re.compile(r"\{((?:[^{}]|\{[^{}]*\})*?)\\choose(?![a-zA-Z])((?:[^{}]|\{[^{}]*\})*)\}")
 ARRAYS = _words("array aligned align align* gathered cases equation equation* split")
 STOPS = (",", ".", ";", "\\Rightarrow", "\\Longrightarrow", "\\implies")
 CLOSING = _words("+ - ) ] \\} } \\rfloor \\rceil & : / | ^ !")
@@ -147,6 +148,7 @@ def _prepared(source: str) -> str:
         r"(\\(?:text|textrm|mathrm|operatorname|mbox|textup))\s*\{([^{}]*)\}", _text, source
     )
     source = _OVER.sub(r"\\frac{\1}{\2}", source)
+    source = _CHOOSE.sub(r"\\binom{\1}{\2}", source)
     source = _STAR.sub(lambda m: _marked(m[1], m[2], m[3], "star"), source)
     source = _ACCENT.sub(lambda m: _marked(m[2] or m[5], m[3], m[4], m[6], m[7], m[1]), source)
     return _BRACED.sub(r"\1 ", source)
