@@ -95,9 +95,10 @@ def _without_upright_units(text: str) -> str:
     """Write ``5\\,\\mathrm{km}`` as a number of metres if all upright words behind numbers are
     units of the international system, up to a power of ten."""
     found = [mark for mark in _UPRIGHT.finditer(text) if not _is_below(text, mark.start())]
-    if not any(mark["unit"] for mark in found) or any(_factor_behind(mark) is None for mark in found):
+    powers = [_factor_behind(mark) for mark in found]
+    if not any(mark["unit"] for mark in found) or None in powers:
         return text
-    scaled = [mark for mark in found if _factor_behind(mark) != 0]
+    scaled = [mark for mark, power in zip(found, powers, strict=True) if power]
     if any("/" in re.split(r"[=<>&]", text[: mark.start()])[-1] for mark in scaled):
         return text
     for mark in reversed(found):
