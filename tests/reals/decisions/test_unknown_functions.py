@@ -9,7 +9,6 @@ from tresym.reals.verdict import Verdict
 HOLD = cases(__file__, "HOLD")
 FAIL = cases(__file__, "FAIL")
 OPEN = [
-    "f(x) -> f(0) as x -> 0",
     "integral(f(x), x, 0, 1) == 1",
     "f(log(-1 - x**2)) == 1",
     "f(2) == 4 given f(x) == x**2",

@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import islice, product
+from itertools import chain, islice, product
 from math import factorial
 
 from tresym.reals.decisions.answer import Answer, Decide
+from tresym.reals.decisions.binomial_bounds import decide_by_bounds
 from tresym.reals.decisions.gamma_forms import decide_as_reals
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.readable_witnesses import decided_at
@@ -39,6 +40,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.verdict import Verdict
 
 MOST, FAR, LOOKED_AT = 600, 50, 6
+_LARGE = ((12, 4), (20, 3), (20, 10), (40, 20), (60, 6), (100, 10), (100, 50), (200, 20))
 """Points that are looked at, how far apart factorials may be, and integers at which they are."""
 
 
@@ -75,7 +77,7 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
     near = (
         at for at in points if None not in (_value(substitute(node.args[1], at)) for node in nodes)
     )
-    answer, proved = decided_at(near, claim, statement, decided)
+    answer, proved = decided_at(chain(near, _far(names)), claim, statement, decided)
     if answer is not None:
         return answer
     if not proved:
@@ -92,6 +94,9 @@ def decide_factorials(claim: Comparison, statement: Statement, decided: Decide) 
         as_reals = decide_as_reals(claim, statement, decided)
         if as_reals is not None:
             return as_reals
+        by_bounds = decide_by_bounds(claim, statement, decided)
+        if by_bounds is not None:
+            return by_bounds
     if answer.verdict is Verdict.REFUTED:
         meant = ", ".join(f"{node} = {value}" for node, value in known.items())
         return Answer(
@@ -114,6 +119,14 @@ def _is_transcendental(e: Expr) -> bool:
 def _small(names: list[str]) -> Iterator[dict[str, Expr]]:
     values = sorted(product(range(LOOKED_AT), repeat=len(names)), key=sum)
     return (dict(zip(names, map(number, point), strict=True)) for point in values)
+
+
+def _far(names: list[str]) -> Iterator[dict[str, Expr]]:
+    """Yield larger values of two variables, such as those of a binomial, in either order."""
+    if len(names) == 2:
+        for n, k in _LARGE:
+            yield dict(zip(names, (number(n), number(k)), strict=True))
+            yield dict(zip(names, (number(k), number(n)), strict=True))
 
 
 def _value(e: Expr) -> Expr | None:
