@@ -9,11 +9,10 @@
 - `depth_at_e1`, `depth_at_e3`: γ = a and γ = −b, and where the angles are constant.
 """
 
-from tresym.proofs import euler_angles, momentum, stability
+from tresym.proofs import euler_angles, jacobi, momentum, stability
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
 from tresym.proofs.frames import handle_in_space
-from tresym.proofs.jacobi import intersection_condition, solution_on_intersection
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -81,8 +80,8 @@ three_regimes = Claim(
 
 fig_sphere_cases = Claim(
     **jointly(
-        solution_on_intersection,
-        intersection_condition,
+        jacobi.solution_on_intersection,
+        jacobi.intersection_condition,
         three_regimes,
         stability.three_equilibria_and_opposites,
     ),

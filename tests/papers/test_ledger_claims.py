@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 import sympy
-from sympy import Eq, Gt, Symbol, Tuple, cos, sin, sqrt
+from sympy import Eq, Ge, Gt, Symbol, Tuple, cos, sin, sqrt
 
 from tresym.ledger.claim import AllOf, Definition, Place
 from tresym.ledger.judge import judge
@@ -84,6 +84,9 @@ square: S**2 == 1 given x != 0 using sign
 everywhere: S**2 == 1 using sign
 chain: (a + b)**2 - 2*a*b == a**2 + b**2 == b**2 + a**2
 broken: a**2 == a**2 + b == a**2
+squares: x**2 + y**2 - x*y == (x - y/2)**2 + 3/4*y**2 >= 0
+no_square: x**2 + y**2 - x*y == (x - y)**2 + y**2 >= 0
+not_above: x**2 - 2*x == (x - 1)**2 - 1 >= 0
 bound: a**2 + 1 > 1 given a > 0
 by_bound: a**2 + 2 > 2 given a > 0 using bound
 too_much: a**2 > 1 given a > 0
@@ -91,9 +94,10 @@ stays: S > 0 using sign
 """,
     )
     found = verdicts(part)
-    holds = {"square", "chain", "bound", "by_bound"}
+    holds = {"square", "chain", "bound", "by_bound", "squares"}
+    assert part.squares.says == Ge(x**2 + y**2 - x * y, 0)
     assert {label for label, verdict in found.items() if verdict == "PROVED"} == holds
-    assert found["too_much"] == "REFUTED"
+    assert found["too_much"] == found["not_above"] == "REFUTED"
 
 
 REFUSED = {

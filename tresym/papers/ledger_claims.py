@@ -27,9 +27,9 @@ This is how each line is understood:
   function ``f(x)`` is a vector, its components are ``f_1(x)``, ``f_2(x)``, and so on.
 - ``using label, label`` names the claims above on which a claim rests: what is an equation is put
   in, other comparisons become conditions.
-- In a chain ``a == b == c`` the claim is ``a == c``, and each step is decided by itself. A step may
-  name, in brackets behind it, the claims whose equations are put in: ``a == b [one] == c [two]``.
-  Other words there are printed.
+- In a chain ``a == b == c`` the claim is ``a == c``, in ``a == b >= c`` it is ``a >= c``, and each
+  step is decided by itself. A step may name, in brackets behind it, the claims whose equations are
+  put in: ``a == b [one] == c [two]``. Other words there are printed.
 - ``one: two and three`` claims again what others claim.
 - ``given x ~= 1.21`` is a printed input, and in ``label: e ~= 0.115`` the number is printed.
 - ``expect refuted at x == 1, y == 2 instead other`` states a falsehood, a point at which it fails,
@@ -51,7 +51,7 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -59,6 +59,7 @@ from typing import Any
 import sympy
 from sympy import Basic, Eq, Symbol, Tuple
 from sympy import Expr as Expression
+from sympy.core.relational import Relational
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.claim import (
@@ -122,6 +123,7 @@ _EQUILIBRIA = {"stable": StableEquilibrium, "unstable": UnstableEquilibrium}
 _SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
 _CLAUSES = ("given", "using", "expect", "at", "instead")
 _REMARK = re.compile(r"(says|paper|shown|kind|fault|assumed|quotes)\s*:\s*(.*)", re.DOTALL)
+_SIGN = r"(?<![<>=!~:])(?:==|<=|>=|!=|<|>)(?![=<>])"
 _PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)\s*")
 _BECAUSE = re.compile(r"(.*\S)\s+\[([^\[\]]*)\]\s*", re.DOTALL)
 _PLACE = re.compile(r"(\d+)|(?:(line|display)\s+(\d+))?(?:(?:^|,\s*)cell\s+(.+))?")
@@ -435,7 +437,7 @@ class _Reader(Reader):
         return found
 
     def _says(self, text: str) -> Basic:
-        """The statement of a text; a chain ``a == b == c`` states that a equals c."""
+        """The statement of a text; the chain ``a == b >= c`` states that a >= c."""
         if match := _PRINTED.fullmatch(text):
             return Rounds(to_sympy(_named(self._tree(match[1]))), match[2])
         if encloses(text) and (parts := split(text[1:-1], r"\bgiven\b"))[1:]:
@@ -444,8 +446,7 @@ class _Reader(Reader):
         if whole is not None:
             return self._formula_of(mapped(whole.formula, self._put))
         links = [self._expanded(link) for link in parse_claim(plain(self._called(text)))]
-        if len(links) > 1 and all(sign == "==" for _, sign, _ in links):
-            return self._relation((links[0][0], "==", links[-1][2]))
+        links = list(_derived(links))
         relations = [self._relation(link) for link in links]
         return relations[0] if len(relations) == 1 else Tuple(*relations)
 
@@ -455,10 +456,13 @@ class _Reader(Reader):
         There are none if each part has one step, and none of them names a claim.
         """
         chains: list[Chain] = []
-        if not all(isinstance(part, Eq) for part in parts_of(says)):
+        if not all(isinstance(part, Relational) for part in parts_of(says)):
             return ()
         for part in split(text, r"\band\b"):
-            _, *stages = split(part, r"(?<![<>=!~:])==(?![=<>])")
+            _, *stages = split(part, _SIGN)
+            signs = [part[a:b] for a, b in places(part, _SIGN)]
+            if any(sign != "==" for sign in signs[:-1]):
+                return ()
             chain = []
             for n, stage in enumerate(stages, 1):
                 match = _BECAUSE.fullmatch(stage)
@@ -512,8 +516,8 @@ class _Reader(Reader):
         ):
             raise InputError("this form of a claim is not read in a paper of the ledger yet")
         links = formula.comparisons
-        if isinstance(formula, Written) and len(links) > 1 and {s for _, s, _ in links} == {"=="}:
-            links = ((links[0][0], "==", links[-1][2]),)
+        if isinstance(formula, Written):
+            links = _derived(links)
         relations = [self._relation(link) for link in links]
         says = relations[0] if len(relations) == 1 else Tuple(*relations)
         if formula.given:
@@ -560,6 +564,13 @@ def _by_components(text: str, name: str, size: int) -> str:
         found += f"{text[: match.start()]}({components})"
         text = text[match.end() + end + 1 :]
     return found + text
+
+
+def _derived(links: Sequence[Compared]) -> tuple[Compared, ...]:
+    """The relation of first and last side, where all signs but the last are those of equality."""
+    if any(sign != "==" for _, sign, _ in links[:-1]):
+        return tuple(links)
+    return ((links[0][0], links[-1][1], links[-1][2]),)
 
 
 def _named(e: Expr) -> Expr:

@@ -32,7 +32,7 @@ from sympy.core.relational import Relational
 
 from tresym.checking.compound_claims import decide_compound
 from tresym.checking.dispatch import decide_claim
-from tresym.ledger.claim import Chain, Claim, Definition, Reason, Step, equal, parts_of
+from tresym.ledger.claim import Chain, Claim, Definition, Reason, Step, parts_of
 from tresym.ledger.conversion import (
     Conditions,
     Rules,
@@ -222,14 +222,15 @@ def _by_steps(claim: Claim, proof: Decided, says: Basic, given: Conditions) -> F
     answers = []
     need(len(parts) == len(proof.steps), "there must be one chain for each part of the statement")
     for part, chain in zip(parts, proof.steps, strict=True):
-        need(isinstance(part, Eq), "only an equation is derived by steps")
+        need(isinstance(part, Relational), "only a relation is derived by steps")
         left, last = part.args
         for link in chain:
             right = last if link.expression is None else link.expression
             named = tuple(c for r in link.reasons for c in r.claims if c in proof.put)
             rules, meant = instantiated(named or proof.put, given)
             asked = tuple((c.left, c.sign, c.right) for c in put_into(given, rules))
-            for r in _relations(equal(left, right), rules, meant):
+            here = part.func if link is chain[-1] else Eq
+            for r in _relations(here(left, right, evaluate=False), rules, meant):
                 answers.append(decide_claim(stated(((r.left, r.sign, r.right),), asked)))
             left = right
         need(left == last, "a chain must end at the right side of the equation")

@@ -85,6 +85,9 @@ def _lines(says: Basic, chain: Chain) -> Display:
     if sign is not None:
         if chain[0].expression is None:
             return (Line("", says_latex(says), _reasons(chain[0], _SIGN)),)
+        if chain[-1].expression is None:  # both sides as they were written, the sign at the end
+            last = Line("", f"{sign} {expression_latex(says.rhs)}", _reasons(chain[-1]))
+            return (*_equations(expression_latex(says.lhs), chain[:-1], None), last)
         difference = expression_latex(says.gts - says.lts)
         end = " > 0" if sign in "<>" else r" \ge 0"
         return tuple(_equations(difference, chain, None, end))
