@@ -16,7 +16,7 @@ from itertools import chain, islice, product
 
 from tresym.checking.point_check import confirmed
 from tresym.reals.decisions.answer import Answer, Decide, exact_text
-from tresym.reals.decisions.equations import is_empty
+from tresym.reals.decisions.equations import is_empty, value_given
 from tresym.reals.decisions.readable_witnesses import decided_at
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.binder_values import jumps
@@ -40,6 +40,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.parsing import parse
+from tresym.reals.signs.definedness import continuous_on
 from tresym.reals.signs.sign import sign
 from tresym.reals.verdict import Verdict
 
@@ -77,7 +78,8 @@ def beyond_positive_bases(
     doubtful: dict[Expr, str | None] = {}
     for base, exponent in _powers(trees):
         if not base.loose and symbols(exponent) - {*statement.integers} and base not in doubtful:
-            sign_of = _sign(base, _without_powers(statement.given) & _said_of(base, asked))
+            at = _at_values(base, statement)
+            sign_of = _sign(at, _without_powers(statement.given) & _said_of(base, asked))
             if sign_of != "+":
                 doubtful[base] = sign_of
     if not doubtful:
@@ -104,6 +106,19 @@ def beyond_positive_bases(
         f"; proved first where the bases of powers are positive ({bases}), then where they are not"
     )
     return replace(answer, why=answer.why + note)
+
+
+def _at_values(base: Expr, statement: Statement) -> Expr:
+    """A base with the values that equations give to its variables put in.
+
+    A claim with derivatives is about the points around, too, where a continuous base that is
+    positive at the point is positive as well.
+    """
+    known = [value_given(pair, statement) for pair in statement.equations]
+    put = dict(value for value in known if value is not None)
+    if not put or continuous_on(base, statement.given) is not None:
+        return base
+    return substitute(base, put)
 
 
 def _without_powers(given: Given) -> Given:

@@ -86,7 +86,7 @@ def decide_with_values(claim: Comparison, statement: Statement, decided: Decide)
         if answer is not None:  # 1 == 2 is left of x == 1, x == 2
             return answer
     for pair in statement.equations:
-        known = _value(pair, statement)
+        known = value_given(pair, statement)
         if known is not None:
             name, value = known
             case = Case(value, (), ())
@@ -102,12 +102,12 @@ def has_values(claim: Comparison, statement: Statement) -> bool:
     if statement.path is not None or claim.derivatives:
         return False
     return any(
-        _value(pair, statement) is not None or not symbols(pair[0]) | symbols(pair[1])
+        value_given(pair, statement) is not None or not symbols(pair[0]) | symbols(pair[1])
         for pair in statement.equations
     )
 
 
-def _value(pair: tuple[Expr, Expr], statement: Statement) -> tuple[str, Expr] | None:
+def value_given(pair: tuple[Expr, Expr], statement: Statement) -> tuple[str, Expr] | None:
     """The variable that an equation ``x == …`` gives the value of, and the value; or None."""
     for left, right in (pair, pair[::-1]):
         name = left.args[0] if left.op == "symbol" else None
