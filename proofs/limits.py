@@ -9,17 +9,9 @@
 
 from __future__ import annotations
 
-from tresym.proofs import slope
+from tresym.proofs import implicit_function, slope
 from tresym.proofs.axioms import IMPLICIT_FUNCTION
 from tresym.proofs.conditions import defect, shape
-from tresym.proofs.implicit_function import (
-    G_at_origin,
-    G_u_at_origin,
-    defect_is_flat,
-    equ,
-    flat_from_above,
-    small_together,
-)
 from tresym.proofs.orders import (
     bend_carries,
     d56,
@@ -75,7 +67,11 @@ dominant_exponential = Claim(
 # -- the implicit function ------------------------------------------------------------------------
 
 implicit_solution = Claim(
-    **jointly(G_at_origin, G_u_at_origin, defect_is_flat),
+    **jointly(
+        implicit_function.G_at_origin,
+        implicit_function.G_u_at_origin,
+        implicit_function.defect_is_flat,
+    ),
     where=line(368),
     note="Nothing follows for λ < 0, where e^{−1/s} is not flat. With |λ| in place "
     "of λ the equation is smooth on both sides.",
@@ -83,12 +79,12 @@ implicit_solution = Claim(
 )
 
 solution_in_that_form = Claim(
-    **jointly(implicit_solution, equ),
+    **jointly(implicit_solution, implicit_function.equ),
     where=line(369),
 )
 
 limit_of_eps0 = Claim(
-    **jointly(small_together, u_exponentially_small, zero_asymptotic),
+    **jointly(implicit_function.small_together, u_exponentially_small, zero_asymptotic),
     where=line(370),
 )
 
@@ -102,7 +98,7 @@ factor_that_vanishes = Claim(
 )
 
 any_delta = Claim(
-    **jointly(decay_at_most, factor_that_vanishes, flat_from_above),
+    **jointly(decay_at_most, factor_that_vanishes, implicit_function.flat_from_above),
     where=line(370),
     note="ε₀ ≤ 2.01 e^{−π/λ}, and the factor e^{−δ/λ} tends to 0.",
 )

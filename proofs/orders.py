@@ -20,7 +20,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from tresym.proofs import slope
+from tresym.proofs import implicit_function, slope
 from tresym.proofs.asymptotics import (
     DEFECT_SLOPE,
     printed_error,
@@ -32,7 +32,6 @@ from tresym.proofs.asymptotics import (
 )
 from tresym.proofs.conditions import STANDARD, shape, standard_racket
 from tresym.proofs.exponent import logarithmic_equation
-from tresym.proofs.implicit_function import d40, unknown
 from tresym.proofs.moments import fourth_moment
 from tresym.proofs.near import (
     BY_KAPPA,
@@ -82,7 +81,7 @@ exponent_left_out = Claim(
         b**2 / (6 * a * (1 + b / a) ** Rational(3, 2)),
     ),
     given=shape,
-    proof=by(substituting(d40), roots),
+    proof=by(substituting(implicit_function.d40), roots),
     note="The first term that the exponent of the theorem leaves out.",
 )
 arcsine_above = Claim(
@@ -153,7 +152,7 @@ def _quadratic_u(b: Any, kappa: Any, m: Any) -> Any:
     return kappa * charts.leading_square_over(b, kappa, m) * _log_ratio(b, kappa, m)
 
 
-_BY_U = (d40, unknown, exponent_is_logarithm, leading_term)
+_BY_U = (implicit_function.d40, implicit_function.unknown, exponent_is_logarithm, leading_term)
 
 u_exponentially_small = below(
     "u_exponentially_small",

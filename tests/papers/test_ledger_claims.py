@@ -91,17 +91,23 @@ bound: a**2 + 1 > 1 given a > 0
 by_bound: a**2 + 2 > 2 given a > 0 using bound
 too_much: a**2 > 1 given a > 0
 stays: S > 0 using sign
+root: sqrt(x**2) == x
+slope: diff(abs(x), x) == 1
+logarithm: diff(log(x), x) == 1/x
+positive: diff(log(x), x) == 1/x given x > 0
+value: at(diff(sqrt(x), x), x, a) == 1/(2*sqrt(a))
+value_there: at(diff(sqrt(x), x), x, a) == 1/(2*sqrt(a)) given a > 0
 """,
     )
     found = verdicts(part)
-    holds = {"square", "chain", "bound", "by_bound", "squares"}
+    holds = {"square", "chain", "bound", "by_bound", "squares", "positive", "value_there"}
     assert part.squares.says == Ge(x**2 + y**2 - x * y, 0)
     assert {label for label, verdict in found.items() if verdict == "PROVED"} == holds
     assert found["too_much"] == found["not_above"] == "REFUTED"
 
 
 REFUSED = {
-    "one: x > 0 as x -> oo": "'as' is not read",
+    "one: x > 0 as x -> oo": "an order along a path is an equation",
     "one: x > 0 on x > 1": "'on' is not read",
     "one: x > 0 given other": "other",
     "one: x > 0 using other": "no claim above this line is labelled 'other'",
@@ -203,3 +209,23 @@ both: b == S**2 [two] == (x + y)**2 [one] and S == x + y [one]
     assert {label for label, verdict in found.items() if verdict == "PROVED"} == {"squared", "both"}
     assert found["false"] == found["other"] == "REFUTED"  # nothing says what b is in the other
     assert found["wrong"] == "UNDECIDED"
+
+
+def test_orders_along_paths(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """sine: sin(x) == x + O(x**3) as x -> 0
+above: exp(-1/x) == o(x**10) as x -> 0+
+below: exp(-1/x) == O(x) as x -> 0-
+far: 1/(x + a) == O(1/x) as x -> oo given a > 0
+both: x*y == O(x**2 + y**2) as (x, y) -> (0, 0)
+fails: x*y == O(x**3 + y**3) as (x, y) -> (0, 0) expect refuted at x == t, y == t
+holds: x*y == O(x**2 + y**2) as (x, y) -> (0, 0) expect refuted at x == t, y == t
+""",
+    )
+    assert part.below.says.args[1:] == (x, 0, -1)
+    assert part.both.says.args[1:] == (Tuple(x, y), Tuple(0, 0), 0)
+    found = verdicts(part)
+    assert found.pop("below") == found.pop("fails") == "REFUTED"
+    assert found.pop("holds") == "UNDECIDED"
+    assert {*found.values()} <= {"PROVED", "ENCLOSED"}

@@ -31,9 +31,11 @@ This is how each line is understood:
   step is decided by itself. A step may name, in brackets behind it, the claims whose equations are
   put in: ``a == b [one] == c [two]``. Other words there are printed.
 - ``one: two and three`` claims again what others claim.
+- ``f == O(g) as x -> 0+`` is an order along a path, uniform in all other variables.
 - ``given x ~= 1.21`` is a printed input, and in ``label: e ~= 0.115`` the number is printed.
 - ``expect refuted at x == 1, y == 2 instead other`` states a falsehood, a point at which it fails,
-  and what is true; ``expect enclosed`` that balls are needed.
+  and what is true, for an order a curve ``at x == t, y == -t``; ``expect enclosed`` that balls are
+  needed.
 - The lines of prose directly below a claim are its note. Those beginning with ``> says:``,
   ``> paper:``, ``> shown:``, ``> kind:``, ``> fault:``, ``> assumed:`` and ``> quotes:`` give the
   sentence whose formula the claim is, what the paper prints, the LaTeX of a formula that is hard to
@@ -78,8 +80,10 @@ from tresym.ledger.claim import (
     parts_of,
 )
 from tresym.ledger.conversion import tree
+from tresym.ledger.evidence.asymptotics import SIDES, Asymptotics
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.statements import (
+    As,
     AtMostOne,
     Conserved,
     ExactlyOne,
@@ -90,6 +94,7 @@ from tresym.ledger.statements import (
     StrictlyIncreasing,
     Under,
     UnstableEquilibrium,
+    order,
 )
 from tresym.papers.definitions import Definition as Abbreviation
 from tresym.papers.reading import CLAUSE, DEFINED, OwnPaper, Reader, near
@@ -106,9 +111,10 @@ from tresym.reals.language.compound import (
     mapped,
     read_compound,
 )
-from tresym.reals.language.expression import Expr, substitute, symbol, symbols
+from tresym.reals.language.expression import Expr, symbol, symbols
 from tresym.reals.language.formula import Compared
 from tresym.reals.language.parsing import as_written, parse_claim, parse_given
+from tresym.reals.language.paths import read_path
 from tresym.reals.language.sympy import RELATIONS
 from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.language.unicode_input import plain
@@ -121,7 +127,7 @@ _CLASS = {sign: getattr(sympy, name) for name, sign in RELATIONS.items()}
 _COUNTS = {"exactly one": ExactlyOne, "at most one": AtMostOne}
 _EQUILIBRIA = {"stable": StableEquilibrium, "unstable": UnstableEquilibrium}
 _SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
-_CLAUSES = ("given", "using", "expect", "at", "instead")
+_CLAUSES = ("given", "using", "expect", "at", "instead", "as")
 _REMARK = re.compile(r"(says|paper|shown|kind|fault|assumed|quotes)\s*:\s*(.*)", re.DOTALL)
 _SIGN = r"(?<![<>=!~:])(?:==|<=|>=|!=|<|>)(?![=<>])"
 _PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)\s*")
@@ -400,14 +406,20 @@ class _Reader(Reader):
             )
             return
         says = self._says(text)
+        if "as" in clauses:
+            says = self._tending(says, clauses["as"])
         steps = self._steps(_clause_free(written), says, uses)
         given = [*self._declared_about((says, *given)), *given]
         fields |= {"says": says, "given": tuple(given)}
-        values = _point(clauses.get("at", ""))
-        if values and expect != "refuted":
+        at = clauses.get("at", "")
+        along = self._along(at) if at and isinstance(says, As) else {}
+        values = {} if along else _point(at)
+        if at and expect != "refuted":
             raise InputError("'at' names a point at which a claim fails: expect refuted at x == 1")
         if assumed:
             fields["proof"] = Definition("it is assumed")
+        elif along:
+            fields |= {"proof": Asymptotics(along, claims=tuple(uses)), "expect": Verdict.REFUTED}
         else:
             fields["proof"] = _evidence(uses, (says, *given), steps, values)
             fields["expect"] = _expected(expect, fields["proof"], uses)
@@ -420,7 +432,7 @@ class _Reader(Reader):
             if part in self.named:
                 found += self.named[part]
             elif match := _PRINTED.fullmatch(part):
-                found.append(Rounds(to_sympy(_named(self._tree(match[1]))), match[2]))
+                found.append(Rounds(_in_sympy(self._tree(match[1])), match[2]))
             else:
                 found += map(self._relation, parse_given(plain(self._called(part))))
         return found
@@ -439,7 +451,7 @@ class _Reader(Reader):
     def _says(self, text: str) -> Basic:
         """The statement of a text; the chain ``a == b >= c`` states that a >= c."""
         if match := _PRINTED.fullmatch(text):
-            return Rounds(to_sympy(_named(self._tree(match[1]))), match[2])
+            return Rounds(_in_sympy(self._tree(match[1])), match[2])
         if encloses(text) and (parts := split(text[1:-1], r"\bgiven\b"))[1:]:
             return Under(self._says(parts[0].strip()), Tuple(*self._given(parts[1])))
         whole = read_compound(self._called(text))
@@ -449,6 +461,28 @@ class _Reader(Reader):
         links = list(_derived(links))
         relations = [self._relation(link) for link in links]
         return relations[0] if len(relations) == 1 else Tuple(*relations)
+
+    def _along(self, text: str) -> dict[Symbol, Expression]:
+        """A curve ``x == t, y == -t`` along which an order fails as t tends to 0 from above."""
+        links = [self._expanded(link) for link in parse_given(plain(self._called(text)))]
+        if any(left.op != "symbol" or sign != "==" for left, sign, _ in links):
+            raise InputError(f"'{text}': write at x == t, y == -t, with t -> 0+")
+        return {_in_sympy(left): _in_sympy(right) for left, _, right in links}
+
+    def _tending(self, says: Basic, path: str) -> Basic:
+        """An order along a path."""
+        if not isinstance(says, Eq):
+            raise InputError("an order along a path is an equation, such as f == O(g) as x -> oo")
+        read = read_path(self._called(path))
+        if read.together:
+            names = (_in_sympy(symbol(name)) for name in read.together)
+            points = (_in_sympy(point) for point in read.points)
+            return order(says, Tuple(*names), Tuple(*points), 0)
+        what = _in_sympy(read.expression or symbol(read.name))
+        if read.point is None:
+            return order(says, what, sympy.oo * read.sides[0])
+        side = next(n for n, sides in SIDES.items() if {*sides} == {*read.sides})
+        return order(says, what, _in_sympy(read.point), side)
 
     def _steps(self, text: str, says: Basic, uses: list[Claim]) -> tuple[Chain, ...]:
         """The derivations of a text, one for each part; the claims that steps name are used.
@@ -474,9 +508,7 @@ class _Reader(Reader):
                 why = [Reason("substituting", claims=tuple(named))] if named else []
                 why += [Reason(words)] if words and not named else []
                 last = n == len(stages)
-                chain.append(
-                    Step(None if last else to_sympy(_named(self._tree(shown))), tuple(why))
-                )
+                chain.append(Step(None if last else _in_sympy(self._tree(shown)), tuple(why)))
             chains.append(tuple(chain))
         derived = any(len(chain) > 1 or any(link.reasons for link in chain) for chain in chains)
         if derived and len(chains) != len(parts_of(says)):
@@ -491,22 +523,22 @@ class _Reader(Reader):
         if isinstance(formula, Equivalent):
             return sympy.Equivalent(*map(self._formula_of, formula.parts))
         if isinstance(formula, Count) and formula.how in _COUNTS and not any(formula.closed):
-            ends = (to_sympy(_named(e)) for e in (symbol(formula.name), formula.low, formula.high))
+            ends = (_in_sympy(e) for e in (symbol(formula.name), formula.low, formula.high))
             return _COUNTS[formula.how](*ends, self._relation(formula.equation))
         if isinstance(formula, Shape) and formula.how in _SHAPES:
-            named = (to_sympy(_named(e)) for e in (formula.function, symbol(formula.name)))
+            named = (_in_sympy(e) for e in (formula.function, symbol(formula.name)))
             return _SHAPES[formula.how](*named)
         if isinstance(formula, named_claims.Conserved):
             return Conserved(
-                to_sympy(_named(formula.function)),
-                Tuple(*(to_sympy(_named(symbol(name))) for name in formula.names)),
-                Tuple(*(to_sympy(_named(rate)) for rate in formula.rates)),
+                _in_sympy(formula.function),
+                Tuple(*(_in_sympy(symbol(name)) for name in formula.names)),
+                Tuple(*(_in_sympy(rate) for rate in formula.rates)),
             )
         if isinstance(formula, named_claims.Equilibrium) and formula.how in _EQUILIBRIA:
             if formula.by is not None:
                 raise InputError("a function after 'by' is not used in a paper of the ledger")
             names, rates, point = (
-                Tuple(*(to_sympy(_named(e)) for e in vector))
+                Tuple(*(_in_sympy(e) for e in vector))
                 for vector in (map(symbol, formula.names), formula.rates, formula.point)
             )
             return _EQUILIBRIA[formula.how](names, rates, point)
@@ -536,7 +568,7 @@ class _Reader(Reader):
             raise InputError(f"'{sign}' is not read in a paper of the ledger yet")
         self._need_known(symbols(left) | symbols(right))
         self._need_functions((left, right))
-        sides = (to_sympy(_named(side)) for side in (left, right))
+        sides = (_in_sympy(side) for side in (left, right))
         made: Basic = _CLASS[sign](*sides, evaluate=False)
         return made
 
@@ -573,9 +605,10 @@ def _derived(links: Sequence[Compared]) -> tuple[Compared, ...]:
     return ((links[0][0], links[-1][1], links[-1][2]),)
 
 
-def _named(e: Expr) -> Expr:
-    """An expression with the symbols of the ledger."""
-    return substitute(e, {there: symbol(name) for name, there in OWN.items()})
+def _in_sympy(e: Expr) -> Any:
+    """An expression in the symbols of the ledger, bound ones too."""
+    own = {Symbol(there, real=True): Symbol(name, real=True) for name, there in OWN.items()}
+    return to_sympy(e).xreplace(own)
 
 
 def _arithmetic(function: Callable[..., Any]) -> dict[str, Any]:

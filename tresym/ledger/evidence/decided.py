@@ -59,13 +59,14 @@ from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import stated
 from tresym.reals.decisions.cleared_factors import with_split_roots
 from tresym.reals.decisions.identity import decide_continuous
-from tresym.reals.language.binders import worked_out
+from tresym.reals.language.binders import elementary, outermost, worked_out
 from tresym.reals.language.claims import Written
 from tresym.reals.language.compound import comparisons_of, leaves
 from tresym.reals.language.expression import (
     LEAVES,
     ZERO,
     Expr,
+    instantiate,
     multiply,
     rebuild,
     substitute,
@@ -182,7 +183,7 @@ def judge_decided(claim: Claim, proof: Decided) -> Finding:
     if proof.variables is not None:
         relations, here = _in_variables(relations, proof.variables, given, here)
     asked: tuple[Compared, ...] = tuple((c.left, c.sign, c.right) for c in here)
-    answers = [decide_claim(stated(((r.left, r.sign, r.right),), asked)) for r in relations]
+    answers = [_decided(r, asked, meant, proof.variables is None) for r in relations]
     free = not (_names(relations) & _open_symbols(claim, rules)) and proof.variables is None
     constant = None if proof.constant is None else decimal(proof.constant)
     region = ", ".join(map(str, claim.given)) or None
@@ -231,12 +232,49 @@ def _by_steps(claim: Claim, proof: Decided, says: Basic, given: Conditions) -> F
             asked = tuple((c.left, c.sign, c.right) for c in put_into(given, rules))
             here = part.func if link is chain[-1] else Eq
             for r in _relations(here(left, right, evaluate=False), rules, meant):
-                answers.append(decide_claim(stated(((r.left, r.sign, r.right),), asked)))
+                answers.append(_decided(r, asked, meant, True))
             left = right
         need(left == last, "a chain must end at the right side of the equation")
     found = _found(answers, False)
     region = ", ".join(map(str, claim.given)) or None
     return replace(found, region=region) if found.verdict.holds else found
+
+
+def _decided(
+    relation: Relation, asked: tuple[Compared, ...], given: Conditions, defined_there: bool
+) -> Answer:
+    """Return the answer of the engine, which is asked for normal forms first.
+
+    Args:
+        relation: the statement; its sides are shown to be defined if ``defined_there``.
+        asked: the conditions, with definitions put in.
+        given: all that is known, as conditions.
+        defined_there: whether normal forms may be compared.
+    """
+    left, right = relation.left, relation.right
+    if defined_there and relation.sign == "==" and _derivatives_exist((left, right), given):
+        sides = worked_out(left), worked_out(right)
+        if elementary(*sides):
+            found = decide_continuous(*sides, known(given))
+            if found is not None and found.verdict is Verdict.PROVED:
+                return Answer(found.verdict, found.why, str(relation))
+    return decide_claim(stated(((left, relation.sign, right),), asked))
+
+
+def _derivatives_exist(sides: tuple[Expr, ...], given: Conditions) -> bool:
+    """Return whether each differentiated function is shown to be defined where it is."""
+    for node in outermost(*sides):
+        if node.op != "derivative":
+            inner = instantiate(node.args[0], node.args[1:]) if node.op == "at" else None
+            if inner is None or not _derivatives_exist((inner, *node.args[1:]), given):
+                return False
+            continue
+        body = instantiate(node.args[0], (node.args[1],))
+        if undefined(worked_out(body), given) is not None:
+            return False
+        if not _derivatives_exist((body, node.args[1]), given):
+            return False
+    return True
 
 
 def _found(answers: list[Answer], refutes: bool) -> Finding:

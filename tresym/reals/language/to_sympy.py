@@ -60,7 +60,7 @@ def _node(sympy: Any, node: Expr, walk: Any) -> Any:
 def _unworked(sympy: Any, node: Expr, walk: Any) -> Any:
     if node.op in ORDERS:
         return sympy.Function(node.op)(walk(node.args[0]))
-    if node.op == "derivative" and node.args[1] == symbol(node.names[0].rstrip("_")):
+    if node.op == "derivative" and node.args[1] == symbol(node.names[0]):
         inner = walk(instantiate(node.args[0], (node.args[1],)))
         return sympy.Derivative(inner, walk(node.args[1]), evaluate=False)
     names, body = opened(node)
