@@ -6,6 +6,7 @@ import re
 from math import factorial
 
 from tresym.reals.functions.table import ABBREVIATIONS, CONSTANTS, SPECIAL, TABLE
+from tresym.reals.language.combinatorial import COMBINATORIAL
 from tresym.reals.language.expression import (
     FUNCTIONS,
     MINUS_ONE,
@@ -45,7 +46,7 @@ SPECIAL_NAMES = frozenset(
     for row in TABLE.values()
     if row.name in SPECIAL and not row.internal and not row.constant
     for name in (row.name, *row.aliases)
-) | {name for name, _ in ABBREVIATIONS}
+) | {name for name, _ in (*ABBREVIATIONS, *COMBINATORIAL)}
 """The names of special functions. Without parentheses, such a name is a variable."""
 MODULUS = {
     "EllipticK": "elliptic_k",
@@ -100,6 +101,8 @@ def call(name: str, values: list[Expr]) -> Expr:
     given = len(values)
     if (name, given) in ABBREVIATIONS:
         return as_expr(ABBREVIATIONS[name, given](*values, trees))
+    if (name, given) in COMBINATORIAL:
+        return COMBINATORIAL[name, given](*values)
     name = _OVERLOADED.get((name, given), _ALIASES.get(name, name))
     if name == "lambertw" and given == 2 and values[1] in (ZERO, MINUS_ONE):
         return apply("lambertwm1" if values[1] == MINUS_ONE else name, values[0])
