@@ -98,3 +98,16 @@ def test_digits_are_not_cut_and_factorials_are_read() -> None:
     found = error_table("n!", "n**n", "n -> oo", [20], digits=30)
     assert found.rows[0].exact_text == "2432902008176640000.00000000000"
     assert "2432902008176640000.00000000000" in found.latex()
+
+
+def test_points_are_exact_expressions_and_formulas_typeset() -> None:
+    at = ["1-1/10**10", "sqrt(2)/2", "1e-5000"]
+    found = error_table("sqrt(x)", "x", "x -> 0+", at, decide=False)
+    assert [row[0] for row in found.table.rows] == [
+        "9999999999/10000000000",
+        "sqrt(2)/2",
+        "1.00000e-5000",
+    ]
+    assert r"$x$ compared with $\sqrt{x}$, $x \to 0^+$" in found.latex()
+    assert r"$\frac{\sqrt{2}}{2}$" in found.latex()
+    assert "<msqrt>" in found.html()

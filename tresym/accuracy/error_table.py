@@ -14,7 +14,8 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
+from html import escape
 from typing import Any, NamedTuple
 
 from flint import arb, fmpq
@@ -42,6 +43,7 @@ from tresym.reals.decisions.path_regions import conditions_of
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import root
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.compound import path_in_latex, path_in_mathml
 from tresym.reals.language.expression import (
     ONE,
     Expr,
@@ -55,6 +57,13 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.parsing import parse_given, sequences_of
 from tresym.reals.language.paths import Path, read_path
+from tresym.reals.language.readings import in_latex, in_mathml
+from tresym.reals.language.typesetting import (
+    expression_in_latex,
+    expression_in_mathml,
+    to_latex,
+    to_mathml,
+)
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.notebook import in_one_line
 from tresym.reals.numbers.arithmetic import ball_precision, bits
@@ -74,6 +83,8 @@ FEW = 6
 """The digits of errors and orders that a table shows."""
 POINTS = (fmpq(1, 2), fmpq(1, 10), fmpq(1, 100), fmpq(1, 1000), fmpq(1, 10000))
 """The distances from the end of the path that are taken if no points are asked for."""
+LONGEST_POINT = 30
+"""Characters of a point that is shown exactly."""
 MOST_ROWS = 10_000
 SECONDS = 20.0
 """The limit of the order claim."""
@@ -167,7 +178,7 @@ class ErrorTable:
         heads = (*names, "exact", "approximate", "error", "relative error", "order")
         rows = tuple(
             (
-                *row.at.values(),
+                *map(_short_point, row.at.values()),
                 row.exact_text,
                 row.approx_text,
                 row.error_text,
@@ -181,29 +192,35 @@ class ErrorTable:
     @property
     def caption(self) -> str:
         """What the table shows, in one sentence."""
+        return self._caption(str)
+
+    def _caption(self, formula: Callable[[str], str]) -> str:
         return (
-            f"{self.approx} compared with {self.exact}, {self.path}: error = approximate − exact; "
+            f"{formula(self.approx)} compared with {formula(self.exact)}, {formula(self.path)}: "
+            "error = approximate − exact; "
             "every digit is certified, order is the empirical order against the row above."
         )
 
     @property
     def notes(self) -> tuple[str, ...]:
         """The sentences below the table."""
+        return self._notes(str, str)
+
+    def _notes(self, formula: Callable[[str], str], words: Callable[[str], str]) -> tuple[str, ...]:
         found = [f"at {_where(row.at)}: {row.note}" for row in self.rows if row.note]
         if self.claim is not None:
             guessed = " (the order was guessed from the last rows)" if self.guessed else ""
-            sentence = shortened(self.claim.in_text()[0], LONGEST)
-            found.append(
-                f"{self.claim.verdict.value}: {self.claim.read_as or self.claim.statement}"
-                f"{guessed}: {sentence}"
-            )
+            sentence = words(shortened(self.claim.in_text()[0], LONGEST))
+            claim = formula(self.claim.read_as or self.claim.statement)
+            found.append(f"{self.claim.verdict.value}: {claim}{guessed}: {sentence}")
         if self.constant is not None:
             found.append(
-                f"smallest constant on {self.constant.region}: between {self.constant.low} and "
-                f"{self.constant.high}{_place(self.constant.where)}"
+                f"smallest constant on {formula(self.constant.region)}: between "
+                f"{self.constant.low} and {self.constant.high}"
+                f"{_place(formula(self.constant.where))}"
             )
         elif self.claim is not None and self.claim.verdict is not Verdict.REFUTED:
-            where = self.region or "a region"
+            where = formula(self.region) if self.region else "a region"
             found.append(f"no enclosure of the smallest constant was found on {where}")
         return tuple(found)
 
@@ -212,14 +229,21 @@ class ErrorTable:
         return "\n".join([tables.written(self.table, "text"), *self.notes, ""])
 
     def markdown(self) -> str:
-        """Return the table in Markdown."""
-        notes = "".join(f"\n{tables.markdown_text(note)}\n" for note in self.notes)
-        return tables.written(self.table, "markdown") + notes
+        """Return the table in Markdown, with its formulas in LaTeX between dollars."""
+        words = tables.markdown_text
+        shown = partial(_in_dollars, words=words)
+        notes = "".join(f"\n{note}\n" for note in self._notes(shown, words))
+        return tables.written(self.table, "markdown", caption=self._caption(shown)) + notes
 
     def latex(self) -> str:
         """Return the table in LaTeX, for booktabs, array and graphicx."""
-        notes = "".join(f"\n{tables.latex_text(note)}\n" for note in self.notes)
-        return tables.written(self.table, "latex") + notes
+        words = tables.latex_text
+        shown = partial(_in_dollars, words=words)
+        points = {text for row in self.rows for text in row.at.values()}
+        cell: Callable[[str], str] = lambda text: (shown if text in points else words)(text)  # noqa: E731
+        caption = self._caption(shown).replace("−", "$-$")
+        notes = "".join(f"\n{note}\n" for note in self._notes(shown, words))
+        return tables.written(self.table, "latex", cell, caption=caption) + notes
 
     def csv(self) -> str:
         """Return the rows as comma-separated values."""
@@ -227,10 +251,8 @@ class ErrorTable:
 
     def html(self) -> str:
         """Return the table in HTML."""
-        from html import escape
-
-        notes = "".join(f"<p>{escape(note)}</p>\n" for note in self.notes)
-        return tables.written(self.table, "html") + notes
+        notes = "".join(f"<p>{note}</p>\n" for note in self._notes(_in_mathml, escape))
+        return tables.written(self.table, "html", caption=self._caption(_in_mathml)) + notes
 
     def written(self, form: str) -> str:
         """Return the table as text, markdown, latex, csv or html."""
@@ -277,6 +299,37 @@ class ErrorTable:
 
     def _repr_latex_(self) -> str:
         return self.latex()
+
+
+def _in_dollars(text: str, words: Callable[[str], str]) -> str:
+    """Return an expression, a path, conditions or a claim in LaTeX between dollars, or as words."""
+    for shown in (
+        lambda: expression_in_latex(read(text)),
+        lambda: path_in_latex(read_path(text)),
+        lambda: in_latex(text),
+        lambda: to_latex(conditions_of(text)),
+    ):
+        try:
+            if found := shown():
+                return f"${found}$"
+        except InputError:
+            continue
+    return words(text)
+
+
+def _in_mathml(text: str) -> str:
+    for shown in (
+        lambda: expression_in_mathml(read(text)),
+        lambda: path_in_mathml(read_path(text)),
+        lambda: in_mathml(text),
+        lambda: to_mathml(conditions_of(text), block=False),
+    ):
+        try:
+            if found := shown():
+                return found
+        except InputError:
+            continue
+    return escape(text)
 
 
 class Question(NamedTuple):
@@ -672,7 +725,17 @@ def _outward(x: fmpq, side: int) -> str:
 
 
 def _where(at: Mapping[str, str]) -> str:
-    return ", ".join(f"{name} = {x}" for name, x in at.items())
+    return ", ".join(f"{name} = {_short_point(x)}" for name, x in at.items())
+
+
+def _short_point(text: str) -> str:
+    """Return a point as it is shown: a fraction with many digits as a decimal of a few."""
+    if len(text) <= LONGEST_POINT:
+        return text
+    try:
+        return rounded_number(as_rational(text), FEW)
+    except InputError:
+        return text
 
 
 def _place(where: str) -> str:

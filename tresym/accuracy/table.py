@@ -82,7 +82,11 @@ def markdown_text(text: str) -> str:
 
 
 def written(
-    found: Table, form: str, latex_words: Words = latex_text, longest: int | None = None
+    found: Table,
+    form: str,
+    latex_words: Words = latex_text,
+    longest: int | None = None,
+    caption: str | None = None,
 ) -> str:
     """Return a table in one of the :data:`FORMATS`.
 
@@ -91,14 +95,15 @@ def written(
         form: the format.
         latex_words: converts text to LaTeX.
         longest: characters of a number in LaTeX; a longer one is cut off and ends in dots.
+        caption: the caption in the language of the format, for Markdown, LaTeX and HTML.
     """
     if form == "markdown":
-        return _markdown(found)
+        return _markdown(found, caption)
     if form == "csv":
         return _csv(found)
     if form == "html":
-        return _html(found)
-    return _latex(found, latex_words, longest) if form == "latex" else _text(found)
+        return _html(found, caption)
+    return _latex(found, latex_words, longest, caption) if form == "latex" else _text(found)
 
 
 def _text(found: Table) -> str:
@@ -134,11 +139,11 @@ def _lines(head: str, width: int) -> list[str]:
     return wrap(head, max(width, HEAD), break_long_words=False, break_on_hyphens=False)
 
 
-def _markdown(found: Table) -> str:
+def _markdown(found: Table, caption: str | None) -> str:
     rows = (map(_set, row) for row in found.rows)
     lines = [found.heads, tuple("---" for _ in found.heads), *rows]
     body = ["| " + " | ".join(row) + " |" for row in lines]
-    return "\n".join([*body, "", f"*{markdown_text(found.caption)}*", ""])
+    return "\n".join([*body, "", f"*{caption or markdown_text(found.caption)}*", ""])
 
 
 def _set(text: str) -> str:
@@ -150,7 +155,7 @@ def _set(text: str) -> str:
     return f"{number[1].replace('-', '−')}{power}{number[3] or ''}"
 
 
-def _latex(found: Table, words: Words, longest: int | None) -> str:
+def _latex(found: Table, words: Words, longest: int | None, caption: str | None) -> str:
     """LaTeX for a document that loads booktabs, array, graphicx, and rotating for wide tables.
 
     A table wider than the text is shrunk to fit.
@@ -174,7 +179,7 @@ def _latex(found: Table, words: Words, longest: int | None) -> str:
     return "\n".join(
         [
             rf"\begin{{{kind}}}\centering\small\setlength{{\tabcolsep}}{{4pt}}",
-            rf"\caption{{{words(found.caption)}}}\label{{tab:{found.name}}}\smallskip",
+            rf"\caption{{{caption or words(found.caption)}}}\label{{tab:{found.name}}}\smallskip",
             rf"\sbox0{{\begin{{tabular}}{{@{{}}{''.join(kind for kind, _ in columns)}@{{}}}}",
             r"\toprule",
             head,
@@ -209,12 +214,12 @@ def _csv(found: Table) -> str:
     return out.getvalue()
 
 
-def _html(found: Table) -> str:
+def _html(found: Table, caption: str | None) -> str:
     def row(cells: tuple[str, ...], tag: str) -> str:
         return "<tr>" + "".join(f"<{tag}>{escape(_set(c))}</{tag}>" for c in cells) + "</tr>"
 
     body = "\n".join(row(cells, "td") for cells in found.rows)
     return (
-        f"<table>\n<caption>{escape(found.caption)}</caption>\n"
+        f"<table>\n<caption>{caption or escape(found.caption)}</caption>\n"
         f"<thead>{row(found.heads, 'th')}</thead>\n<tbody>\n{body}\n</tbody>\n</table>\n"
     )

@@ -11,6 +11,7 @@ sums and series are evaluated by the one evaluator of
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -179,7 +180,7 @@ def constant(x: Exact, name: str) -> Expr:
         try:
             return number(as_rational(x, name))
         except InputError:
-            if not any(c.isalpha() for c in x):
+            if not any(c.isalpha() for c in x) and not re.search(r"\d\s*[-+*/^)]", x):
                 raise
         e = read(x)
         if symbols(e):

@@ -43,7 +43,7 @@ from tresym.reals.language.named_claims import (
 )
 from tresym.reals.language.parsing import as_written
 from tresym.reals.language.paths import Path
-from tresym.reals.language.typesetting import expression_in_latex, to_latex
+from tresym.reals.language.typesetting import expression_in_latex, to_latex, to_mathml
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError
 
@@ -596,6 +596,19 @@ def formula_in_latex(formula: Formula, shared: int = 0, path: str | None = None)
 
 def path_in_latex(path: Path) -> str:
     """``x \\to 0^+`` for ``x -> 0+``."""
-    point = multiply(number(path.sides[0]), INFINITY) if path.point is None else path.point
     side = "" if path.point is None or len(path.sides) > 1 else "^+" if path.sides[0] > 0 else "^-"
-    return to_latex([(symbol(path.name), "->", point)]) + side
+    return to_latex([_arrow(path)]) + side
+
+
+def path_in_mathml(path: Path) -> str:
+    """The same as MathML in the line."""
+    side = "" if path.point is None or len(path.sides) > 1 else "+" if path.sides[0] > 0 else "−"
+    shown = to_mathml([_arrow(path)], block=False)
+    return shown.replace(
+        "</math>", f"<msup><mrow/><mo>{side}</mo></msup></math>" if side else "</math>"
+    )
+
+
+def _arrow(path: Path) -> Compared:
+    point = multiply(number(path.sides[0]), INFINITY) if path.point is None else path.point
+    return symbol(path.name), "->", point

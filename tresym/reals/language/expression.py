@@ -24,7 +24,7 @@ from functools import lru_cache, reduce
 from itertools import count
 from typing import Any, TypeAlias
 
-from flint import fmpq
+from flint import fmpq, fmpz
 
 from tresym.reals.functions.table import CONSTANTS, TABLE, names
 from tresym.reals.numbers.exact import InputError, exact_number, fraction_text
@@ -175,7 +175,7 @@ class Expr:
 
 
 def _rebuild(op: str, args: Any, names: tuple[str, ...]) -> Expr:
-    return number(fmpq(*map(int, args.split("/")))) if op == "number" else Expr(op, args, names)
+    return number(fmpq(*map(fmpz, args.split("/")))) if op == "number" else Expr(op, args, names)
 
 
 def as_expr(x: Expr | Number) -> Expr:

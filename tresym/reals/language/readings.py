@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import re
-from html import escape
 from typing import Any
 
 from tresym.reals.language.claims import Written, as_written, parts_of
@@ -14,6 +13,7 @@ from tresym.reals.language.compound import (
     claimed,
     formula_in_latex,
     path_in_latex,
+    path_in_mathml,
     read_compound,
 )
 from tresym.reals.language.typesetting import to_latex, to_mathml
@@ -66,7 +66,7 @@ def in_mathml(text: str) -> str:
         return ""
     shown = to_mathml(comparisons, block=False)
     shown += f" given {to_mathml(given, block=False)}" if given else ""
-    return shown if path is None else f"{shown} as {escape(str(path))}"
+    return shown if path is None else f"{shown} as {path_in_mathml(path)}"
 
 
 _NOTHING = Written((), (), None)

@@ -32,6 +32,7 @@ _SLIPS: tuple[tuple[str, str], ...] = (
         "this declares a variable: write CLAIM given n integer, n >= 1",
     ),
     (r"\bd\s*/\s*d[a-z]\b|\w'", "a derivative is written diff(f, x)"),
+    (r"[-+*/^]\s*$", "something is missing after its last sign"),
     (r"[=<>!]\s*$|^\s*[=<>]", "one side of the comparison is missing"),
     (r"<>", "write !="),
     (r"=>", "write >=, or CLAIM given CONDITION"),

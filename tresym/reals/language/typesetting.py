@@ -344,6 +344,11 @@ def _reciprocal(e: Expr) -> Expr:
     return base if exponent == number(-1) else Expr("^", (base, -exponent))
 
 
+def expression_in_mathml(e: Expr) -> str:
+    """Return an expression in MathML, in the line."""
+    return f"<math>{_Printer(MATHML).shown(e)}</math>"
+
+
 def expression_in_latex(e: Expr, upright: bool = False) -> str:
     r"""Return an expression in LaTeX; ``upright`` as for :func:`to_latex`.
 
