@@ -135,3 +135,16 @@ def test_workers_elsewhere_give_the_same_answers(monkeypatch: pytest.MonkeyPatch
     assert [(task, str(answer)) for task, answer in found] == [
         (task, str(answer)) for task, answer in check_all(tasks, 1)
     ]
+
+
+def test_the_search_for_a_constant_does_not_use_up_the_time_of_what_is_proved(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def endless(*_: object) -> None:
+        while True:
+            pass
+
+    monkeypatch.setattr("tresym.asymptotics.sharp_constants._is_sharp", lambda _: False)
+    monkeypatch.setattr("tresym.asymptotics.sharp_constants._found", endless)
+    answer = check_within(Task("exp(x) == 1 + x + O(x**2)", "", "x -> 0"), 1)
+    assert answer.verdict.holds, answer.why

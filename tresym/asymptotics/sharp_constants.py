@@ -48,7 +48,7 @@ from tresym.reals.language.expression import (
 from tresym.reals.language.paths import Path
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
-from tresym.reals.resource_limits import TimeUp, time_limit
+from tresym.reals.resource_limits import TimeUp, time_left, time_limit
 from tresym.reals.values.jets import Jets
 from tresym.reals.verdict import Verdict
 
@@ -57,6 +57,8 @@ SHARP = fmpq(1, 50)
 """A constant is left as it is if it is at most so much larger than the smallest."""
 SECONDS = 2.5
 ASKED_SECONDS = 20.0
+SHARE = 0.5
+"""The part of the time that is left for a claim which the search may use."""
 HIGHEST = 6
 """Sums of 1/k, …, 1/k^6 are known."""
 _ABOUT = re.compile(r"C about [-+.\de]+")
@@ -85,7 +87,7 @@ def sharpened(answer: Answer, comparison: Comparison, statement: Statement) -> A
     if not asked and (not answer or _is_sharp(answer)):
         return answer
     try:
-        with time_limit(ASKED_SECONDS if asked else SECONDS):
+        with time_limit(_allowed(asked)):
             found = _found(left, right, answer, path)
     except (TimeUp, InputError, ZeroDivisionError, OverflowError):
         return answer
@@ -105,6 +107,12 @@ def sharpened(answer: Answer, comparison: Comparison, statement: Statement) -> A
         answer, verdict=verdict, why=why, constant=constant_ball(constant), region=region,
         cause=answer.cause if answer else None, smallest=True,
     )  # fmt: skip
+
+
+def _allowed(asked: bool) -> float:
+    """The seconds for the search: what is proved already must not be lost at the claim's limit."""
+    most, left = ASKED_SECONDS if asked else SECONDS, time_left()
+    return most if left is None else min(most, left * SHARE)
 
 
 def for_reals(e: Expr) -> Expr:

@@ -36,6 +36,13 @@ def processor_time(process: int) -> float | None:
         return None
 
 
+def time_left() -> float | None:
+    """Return the seconds after which this process is ended; None if it has no limit of its own."""
+    if not hasattr(signal, "getitimer"):
+        return None
+    return signal.getitimer(signal.ITIMER_VIRTUAL)[0] or None
+
+
 _CALLBACKS = frozenset((weakref.__file__, weakref.WeakSet.__init__.__code__.co_filename))
 SOON = 0.01
 """The delay in seconds after which a suspended limit is tried again."""

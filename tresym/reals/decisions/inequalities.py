@@ -23,13 +23,13 @@ from tresym.reals.decisions.cleared_factors import cleared, is_singular
 from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.ideals import follows
 from tresym.reals.decisions.identity import decide, no_point, sampled_values
-from tresym.reals.decisions.inequalities_on_regions import is_isolated, search
+from tresym.reals.decisions.inequalities_on_regions import is_bounded, is_isolated, search
 from tresym.reals.decisions.variable_reduction import by_one_variable
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.local_search import low_points
 from tresym.reals.domain.operation_domains import operations, with_domain
-from tresym.reals.domain.sample_points import corners
+from tresym.reals.domain.sample_points import Range, corners
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     ONE,
@@ -62,6 +62,9 @@ MAX_PAIRS = 8
 LARGE = 40
 """Operations in an inequality in three variables or more, from which on exact methods, which take
 long and seldom succeed, are tried after branch and bound if that can divide by positive factors."""
+SEVERAL, SHORT_BUDGET = 12, 2_000
+"""Operations in an inequality in three variables or more, all of them bounded, from which on branch
+and bound with few boxes is tried before exact methods, which take ten times as long there."""
 GRID, GRID_STEPS = range(-80, 81), 5
 MAX_STARTS = 24
 PERIODS = (2 * PI, number(2))
@@ -105,12 +108,19 @@ def decide_inequality(
     if not symbols(left) | symbols(right):
         return _constants(left, relation, right)
     region = with_domain(whole, left, right)
-    large = len(names) > 2 and sum(1 for _ in operations((left, right))) > LARGE
-    if large and relation != "!=" and is_regular(given):
+    count = sum(1 for _ in operations((left, right))) if len(names) > 2 else 0
+    boxed = count > SEVERAL and all(is_bounded(region.box.get(name, Range())) for name in names)
+    large = boxed or count > LARGE
+    if large and relation != "!=":
         with stage("division by positive factors"):
             divided = _by_division(left - right, relation, region, inside)
         if divided is not None:
             return _shown_under(given, divided)
+        if boxed:
+            with stage("branch and bound"):
+                few = search(left, right, relation == ">", region, inside, SHORT_BUDGET)
+            if few:
+                return _shown_under(given, few)
     with stage("proof of a sign"):
         sentence = proof(left - right, relation, region)
     partly = sentence is not None and not is_regular(given)

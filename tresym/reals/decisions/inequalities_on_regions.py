@@ -56,12 +56,20 @@ def is_isolated(at: Mapping[str, arb], sides: tuple[Expr, Expr]) -> bool:
     return bool(at)
 
 
-def search(left: Expr, right: Expr, strict: bool, region: Given, inside: Given) -> Answer:
+def search(
+    left: Expr,
+    right: Expr,
+    strict: bool,
+    region: Given,
+    inside: Given,
+    most: int = LARGEST_BUDGET,
+) -> Answer:
     """Decide ``left > right`` (or ``>=`` if not ``strict``) by branch and bound.
 
     Args:
         region: conditions that hold wherever the claim is made.
         inside: further conditions that a counterexample must satisfy.
+        most: how many boxes are examined at most, in several variables.
 
     Returns:
         ENCLOSED, REFUTED, or UNDECIDED with the region that could not be closed.
@@ -73,9 +81,9 @@ def search(left: Expr, right: Expr, strict: bool, region: Given, inside: Given) 
     ranges = [region.box.get(name, Range()) for name in names]
     if len(names) == 1:
         return search_.on_line(ranges[0])
-    if len(names) <= MAX_VARIABLES and all(_bounded(r) for r in ranges):
-        return search_.in_box(tuple(ranges))
-    free = [n for n, r in zip(names, ranges, strict=True) if not _bounded(r)]
+    if len(names) <= MAX_VARIABLES and all(map(is_bounded, ranges)):
+        return search_.in_box(tuple(ranges), most)
+    free = [n for n, r in zip(names, ranges, strict=True) if not is_bounded(r)]
     return Answer(
         Verdict.UNDECIDED,
         "the sign of the difference could not be proved, and interval subdivision needs bounds on "
@@ -97,7 +105,8 @@ def _about(region: Given, names: frozenset[str]) -> Given:
         names |= others.names
 
 
-def _bounded(where: Range) -> bool:
+def is_bounded(where: Range) -> bool:
+    """Whether both ends are finite."""
     return where.low is not None and where.high is not None
 
 
@@ -279,7 +288,7 @@ class _Search:
 
     # -- boxes ------------------------------------------------------------------------------
 
-    def in_box(self, sides: Box) -> Answer:
+    def in_box(self, sides: Box, most: int) -> Answer:
         """A bounded region of several variables; a strict claim is not made on its open edges."""
         for edge in edges_of_contact(self.difference, self.names, sides, self.region):
             where = self.region.box[self.names[edge.axis]]
@@ -287,7 +296,7 @@ class _Search:
             if is_open or not self.strict:
                 over = Quotient(self.difference, self.slopes, self.names, edge)
                 self.edges.append((edge, over))
-        outcome = self._prove(sides, BUDGETS.get(len(sides), LARGEST_BUDGET))
+        outcome = self._prove(sides, min(most, BUDGETS.get(len(sides), LARGEST_BUDGET)))
         return outcome if isinstance(outcome, Answer) else _open(self.names, outcome)
 
     def _prove(self, sides: Box, budget: int) -> Answer | Box:
