@@ -53,7 +53,7 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -79,9 +79,10 @@ from tresym.ledger.claim import (
     jointly,
     parts_of,
 )
-from tresym.ledger.conversion import tree
+from tresym.ledger.conversion import conditions, tree
 from tresym.ledger.evidence.asymptotics import SIDES, Asymptotics
 from tresym.ledger.evidence.decided import Decided
+from tresym.ledger.evidence.sign_prover import undefined
 from tresym.ledger.statements import (
     As,
     AtMostOne,
@@ -98,7 +99,9 @@ from tresym.ledger.statements import (
 )
 from tresym.papers.definitions import Definition as Abbreviation
 from tresym.papers.reading import CLAUSE, DEFINED, OwnPaper, Reader, near
+from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language import named_claims
+from tresym.reals.language.binders import generalised, ordered, outermost
 from tresym.reals.language.brackets import closing, encloses, places, split
 from tresym.reals.language.claims import Written
 from tresym.reals.language.compound import (
@@ -111,8 +114,16 @@ from tresym.reals.language.compound import (
     mapped,
     read_compound,
 )
-from tresym.reals.language.expression import Expr, symbol, symbols
-from tresym.reals.language.formula import Compared
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    instantiate,
+    opened,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.formula import Compared, Relation
 from tresym.reals.language.parsing import as_written, parse_claim, parse_given
 from tresym.reals.language.paths import read_path
 from tresym.reals.language.sympy import RELATIONS
@@ -219,6 +230,8 @@ class _Reader(Reader):
         self.lines: dict[str, tuple[int, int]] = {}
         self.vectors: dict[str, int] = {}
         """Functions whose value is a vector, and the number of its components."""
+        self.converted: list[tuple[Expr, Any]] = []
+        """The sides of the claim that is read, as they stand and as SymPy writes them."""
         self.waiting: _Waiting | None = None
 
     def read(self, text: str) -> OwnPaper:
@@ -387,6 +400,7 @@ class _Reader(Reader):
         place: str,
         assumed: bool,
     ) -> None:
+        self.converted = []
         for word in clauses:
             if word not in _CLAUSES:
                 raise InputError(f"'{word}' is not read in a paper of the ledger yet")
@@ -410,6 +424,7 @@ class _Reader(Reader):
             says = self._tending(says, clauses["as"])
         steps = self._steps(_clause_free(written), says, uses)
         given = [*self._declared_about((says, *given)), *given]
+        self._need_domains(given)
         fields |= {"says": says, "given": tuple(given)}
         at = clauses.get("at", "")
         along = self._along(at) if at and isinstance(says, As) else {}
@@ -568,15 +583,48 @@ class _Reader(Reader):
             raise InputError(f"'{sign}' is not read in a paper of the ledger yet")
         self._need_known(symbols(left) | symbols(right))
         self._need_functions((left, right))
-        sides = (_in_sympy(side) for side in (left, right))
+        sides = [_in_sympy(side) for side in (left, right)]
+        self.converted += zip((left, right), sides, strict=True)
         made: Basic = _CLASS[sign](*sides, evaluate=False)
         return made
+
+    def _need_domains(self, given: list[Basic]) -> None:
+        """Where the form that SymPy gives an expression has a value, the expression must have one.
+
+        SymPy writes x for the square of √x, and 1 for x/x.
+        """
+        known = tuple(c for c in given if isinstance(c, Relational) and not isinstance(c, Eq))
+        own = {there: symbol(name) for name, there in OWN.items()}
+        for written, made in self.converted:
+            there = needs(map(ordered, _without_binders(tree(made))))
+            where = (*conditions(known), *(Relation(part, sign, ZERO) for part, sign in there))
+            for e in map(ordered, _without_binders(substitute(written, own))):
+                if all(part in there or not symbols(part[0]) for part in needs((e,))):
+                    continue
+                gap = undefined(e, where)
+                if gap is None:
+                    continue
+                raise InputError(
+                    f"'{written}' is written by SymPy as {made}, which has a value at more points: "
+                    f"add a condition under which {gap} has one"
+                )
 
 
 def _clause_free(written: str) -> str:
     """The formula of a claim with the words in brackets behind its steps."""
     places_ = places(f"{written} ", CLAUSE)
     return written[: places_[0][0]] if places_ else written
+
+
+def _without_binders(e: Expr) -> Iterator[Expr]:
+    """The expression with derivatives, integrals and values as symbols, and what stands in them."""
+    (plain_,) = generalised(e)
+    yield plain_
+    for node in outermost(e):
+        at_a_point = node.op in ("derivative", "at")
+        body = instantiate(node.args[0], node.args[1:]) if at_a_point else opened(node)[1]
+        for part in (body, *node.args[1:]):
+            yield from _without_binders(part)
 
 
 def _by_components(text: str, name: str, size: int) -> str:
