@@ -27,6 +27,7 @@ from tresym.reals.decisions.equations import is_empty
 from tresym.reals.decisions.exceptional_values import also_at_holes, also_at_zeros
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.integral_rules import Antiderivatives
+from tresym.reals.decisions.integrand_bounds import decide_by_integrand
 from tresym.reals.decisions.integration_pieces import (
     MINUS_INFINITY,
     pieces_of,
@@ -109,6 +110,8 @@ def decide_integrals(claim: Comparison, statement: Statement, decided: Decide) -
     if any(next(functions(side), None) for side in (claim.left, claim.right)):
         return Answer(Verdict.UNDECIDED, "integrals of arbitrary functions cannot be evaluated")
     result = _by_quadrature(claim, statement)
+    if result is None:
+        result = decide_by_integrand(claim, statement, decided)
     if result is not None:
         return result
     work = _Work([], claim.primitives)
