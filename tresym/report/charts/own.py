@@ -28,6 +28,7 @@ from tresym.report.charts.common import (
     below,
     time_axis,
 )
+from tresym.report.typesetting.plain_text import plain
 
 if TYPE_CHECKING:
     from tresym.accuracy.largest_error import LargestError
@@ -38,6 +39,8 @@ if TYPE_CHECKING:
 MARKERS = "osD^vP*X"
 COLOURS = (BLUE, RED, GREEN, ORANGE, PURPLE, SKY, BLACK)
 LINES = (SOLID, DASHED, DOTTED)
+WIDEST = 70
+"""Signs of a title that fit above a chart."""
 ERRORS_DRAWN = 400
 
 
@@ -214,10 +217,11 @@ def error_chart(
             sentence = f"{order}O({raised(table.gauge)})"
             if table.constant is not None:
                 ends = f"between {table.constant.low} and {table.constant.high}"
-                sentence += f"; smallest constant on {table.constant.region}: {ends}"
+                region = table.constant.region.replace("<=", "≤").replace(">=", "≥")
+                sentence += f"; smallest constant on {region}: {ends}"
             sentences.append(f"{sentence}.")
     caption = " ".join(sentences)
-    shown = title if len(title) <= 80 else title[:77] + "…"
+    shown = title if len(plain(typeset(title))) <= WIDEST else "Errors of the approximations"
     return lambda kind: saved(
         lambda: errors(curves, along, shown, (5.6, 3.8)), title, caption, kind
     )
