@@ -1,9 +1,10 @@
-"""Decide X = O(Y) and X = Theta(Y) for all values of positive parameters, without a path.
+"""Decide X = O(Y) and X = Theta(Y) for all values of the variables, without a path.
 
 ``sqrt(a**2 + b**2) == Theta(a + b) given a > 0, b > 0`` asks for constants that serve for all
-values. Sums of monomials are decided by :mod:`tresym.asymptotics.monomials`. Otherwise the ratio is
-computed at points of several scales. If it seems to be bounded, a constant above all its values is
-tried, and the inequality |X| <= C |Y| is the proof. If it grows along a curve of powers a = t**k,
+values; variables of which nothing is said are real. Sums of monomials of positive variables are
+decided by :mod:`tresym.asymptotics.monomials`. Otherwise the ratio is computed at points of several
+scales and signs. If it seems to be bounded, a constant above all its values is
+tried, and the inequality |X| <= C |Y| is the proof. If it grows along a curve of powers a = ±t**k,
 the limit X/Y -> oo along that curve, on which all conditions hold in the end, refutes the order.
 """
 
@@ -55,7 +56,22 @@ _NOT_FOUND = (
 
 
 def decide_without_path(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
-    """Decide an O or Theta for all values of the parameters that the conditions allow."""
+    """Decide an O or Theta for all values of the parameters that the conditions allow.
+
+    Where nothing is said of a variable, a path may be meant: then an order that fails for some
+    values is not refuted.
+    """
+    answer = _for_all_values(claim, statement, decided)
+    names = symbols(claim.left) | symbols(claim.right)
+    free = sorted(names - set(statement.given.box))
+    if answer.verdict is not Verdict.REFUTED or not free:
+        return answer
+    why = f"it does not hold for all values ({answer.why}): give a path, or a range of "
+    return Answer(Verdict.UNDECIDED, why + ", ".join(free))
+
+
+def _for_all_values(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
+    """Decide an O or Theta for all values."""
     if claim.relation == "O":
         return _bounded(claim, statement, decided)
     above = _bounded(replace(claim, relation="O"), statement, decided)
@@ -73,8 +89,11 @@ def decide_without_path(claim: Comparison, statement: Statement, decided: Decide
 def _bounded(claim: Comparison, statement: Statement, decided: Decide) -> Answer:
     """Decide an O."""
     plain = replace(claim, left=_expanded(claim.left), right=_expanded(claim.right))
-    answer = decide_monomials(plain, statement)
     names = sorted(symbols(claim.left) | symbols(claim.right) | statement.given.names)
+    signed = _signed(names, statement)
+    answer = Answer(Verdict.UNDECIDED, _NOT_FOUND)
+    if not signed:
+        answer = decide_monomials(plain, statement)
     if statement.equations or statement.integers:
         # A curve of real powers need not satisfy equations, and leaves the integers.
         if answer.verdict is Verdict.REFUTED:
@@ -89,8 +108,9 @@ def _bounded(claim: Comparison, statement: Statement, decided: Decide) -> Answer
     statement = _among_reals(statement)
     largest = arb(0)
     with ball_precision():
-        scales = SCALES if len(names) <= 3 else FEWER
-        for values in product(scales, repeat=len(names)):
+        scales = SCALES if len(names) + bool(signed) <= 3 else FEWER
+        either = (*(-q for q in scales), fmpq(0), *scales)
+        for values in product(*(either if name in signed else scales for name in names)):
             at = dict(zip(names, values, strict=True))
             fractions = any(at[name].q != 1 for name in whole if name in at)
             if fractions or not all(c.holds(at) for c in statement.given.conditions):
@@ -103,7 +123,7 @@ def _bounded(claim: Comparison, statement: Statement, decided: Decide) -> Answer
             ratio = left / right
             if ratio.is_finite() and ratio.mid() > largest:
                 largest = ratio.upper()
-    found = _grows(claim, statement, decided, names, whole)
+    found = _grows(claim, statement, decided, names, whole, signed)
     if found is not None:
         return found
     bounds = [parse_number(rounded(largest * margin, 1)) for margin in MARGINS if largest > 0]
@@ -117,6 +137,13 @@ def _bounded(claim: Comparison, statement: Statement, decided: Decide) -> Answer
             why = f"|left| <= C |right| with C = {shown} for all values allowed: {least.why}"
             return replace(least, why=why, constant=constant_ball(arb(bound)), uniform=True)
     return Answer(Verdict.UNDECIDED, _NOT_FOUND)
+
+
+def _signed(names: list[str], statement: Statement) -> frozenset[str]:
+    """Return the variables that may be negative."""
+    box = statement.given.box
+    lows = {name: box[name].low if name in box else None for name in names}
+    return frozenset(name for name, low in lows.items() if low is None or low < 0)
 
 
 def _among_reals(statement: Statement) -> Statement:
@@ -141,22 +168,27 @@ def _grows(
     decided: Decide,
     names: list[str],
     whole: frozenset[str],
+    signed: frozenset[str],
 ) -> Answer | None:
     """Refute an O by a curve of powers on which the ratio is proved to tend to infinity.
 
     Args:
         whole: the names of integers; their exponents are not negative, so that they are integers
             at all integers t.
+        signed: the names that may be negative.
     """
     t = fresh("t", names)
     along = replace(statement, given=Given(), path=Path(t, None, (1,)))
     curves = (
         powers
-        for powers in _candidates(claim, statement.given, names)
-        if all(k >= 0 for n, k in zip(names, powers, strict=True) if n in whole)
+        for powers in _candidates(claim, statement.given, names, signed)
+        if all(k >= 0 for n, (_, k) in zip(names, powers, strict=True) if n in whole)
     )
     for powers in islice(curves, CURVES_TRIED):
-        curve = {n: symbol(t) ** k if k else ONE for n, k in zip(names, powers, strict=True)}
+        curve = {
+            n: sign * (symbol(t) ** k if k else ONE)
+            for n, (sign, k) in zip(names, powers, strict=True)
+        }
         left, right = (substitute(e, curve) for e in (claim.left, claim.right))
         grows = decided(Comparison(apply("abs", left / right), LIMIT, INFINITY), along)
         allowed = (
@@ -170,17 +202,21 @@ def _grows(
     return None
 
 
-def _candidates(claim: Comparison, given: Given, names: list[str]) -> Iterator[tuple[int, ...]]:
-    """Yield the exponents of curves on which the ratio grows, the simplest first."""
+def _candidates(
+    claim: Comparison, given: Given, names: list[str], signed: frozenset[str]
+) -> Iterator[tuple[tuple[int, int], ...]]:
+    """Yield the signs and exponents of curves on which the ratio grows, the simplest first."""
     found = []
     choice = POWERS[: {1: 7, 2: 7, 3: 5}.get(len(names), 3)]
+    signs = [(1, -1) if name in signed else (1,) for name in names]
     with ball_precision():
-        for powers in product(choice, repeat=len(names)):
+        for powers in product(*(product(sign, choice) for sign in signs)):
             ratios = []
             for scale in (2**8, 2**16):
-                at = {n: fmpq(scale) ** k for n, k in zip(names, powers, strict=True)}
+                at = {n: s * fmpq(scale) ** k for n, (s, k) in zip(names, powers, strict=True)}
                 ratios.append(abs(evaluate(claim.left, at) / evaluate(claim.right, at)))
             grows = ratios[0] > 0 and ratios[1] > 2 * ratios[0]
             if grows and all(c.holds(at) for c in given.conditions):
-                found.append((sum(map(abs, powers)), powers))
+                size = sum(abs(k) + (s < 0) for s, k in powers)
+                found.append((size, powers))
     yield from (powers for _, powers in sorted(found))
