@@ -13,10 +13,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from tresym.proofs import flip_dynamics
+from tresym.proofs import flip_dynamics, regimes
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import STANDARD, shape
-from tresym.proofs.regimes import rotating_speed
 from tresym.proofs.separatrix import d36, d37, one_flip_defect, stable_equation
 
 from tresym.ledger.vocabulary import *
@@ -216,7 +215,7 @@ turn_by_ends = Claim(
 symmetric_is_extreme = Claim(
     says="At fixed γ > 0 the symmetric start flips most in a given turn of the handle where its "
     "flip is below π, and least where it is between π and 2π, among all starts.",
-    proof=in_words(equal_rates, turn_by_ends, turn_gap, turn_is_steep, rotating_speed),
+    proof=in_words(equal_rates, turn_by_ends, turn_gap, turn_is_steep, regimes.rotating_speed),
     note="A flip by Ψ < π needs the least turn from there, and one by π < Ψ < 2π the most; and "
     "every turn grows with its flip.",
     quotes=(MOTION,),

@@ -10,11 +10,10 @@
 
 from __future__ import annotations
 
-from tresym.proofs import euler_angles, flip_dynamics
+from tresym.proofs import euler_angles, flip_dynamics, regimes
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import defect, ordered_moments, shape, shape_of_a_body, tilted
 from tresym.proofs.phase_portraits import separatrix_moves
-from tresym.proofs.regimes import planar_system, separatrix_case
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -50,9 +49,11 @@ near_separatrix = Claim(
 )
 
 separatrix_is_followed = Claim(
-    says=Tuple(planar_system.says, Under(separatrix_case.says, Tuple(*ordered_moments))),
+    says=Tuple(
+        regimes.planar_system.says, Under(regimes.separatrix_case.says, Tuple(*ordered_moments))
+    ),
     given=(*tilted, *shape_of_a_body),
-    proof=all_of(planar_system, separatrix_case),
+    proof=all_of(regimes.planar_system, regimes.separatrix_case),
     where=line(198),
     note="γ is conserved, and it is 0 on the separatrix.",
 )

@@ -11,27 +11,18 @@
   and `tilt_bounds_oscillating`.
 """
 
-from tresym.proofs import euler_angles, flip_dynamics, stability
+from tresym.proofs import euler_angles, flip_dynamics, regimes, stability
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import ordered_moments, shape_of_a_body, tilted
-from tresym.proofs.regimes import (
-    depth_at_e3,
-    handle_crosses,
-    handle_side,
-    oscillating,
-    planar_rates,
-    planar_variables,
-    psi_half_oscillating,
-    rotating,
-    symmetry_half,
-    theta_half,
-    three_regimes,
-    tilt_by_flip,
-)
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
 from tresym.racket.notation import *
+
+planar_variables = Tuple(theta, psi)
+planar_rates = Tuple(*printed.planar_rates(theta, psi, a, b, sympy))
+"""The planar system: its variables, and their rates by φ."""
+rotating, oscillating = regimes.rotating, regimes.oscillating
 
 _sine = sin(psi) ** 2
 _body = (*ordered_moments, *shape_of_a_body)
@@ -67,7 +58,9 @@ turning_points = Claim(
 )
 
 sign_changes_oscillating = Claim(
-    **jointly(sign_constant_rotating, turning_points, tilt_by_flip, psi_half_oscillating),
+    **jointly(
+        sign_constant_rotating, turning_points, regimes.tilt_by_flip, regimes.psi_half_oscillating
+    ),
     where=line(160),
     quotes=(MOTION,),
 )
@@ -106,7 +99,7 @@ flip_between = Claim(
 )
 
 eq_borne_psi = Claim(
-    **jointly(flip_bounds, flip_between, tilt_by_flip, turning_points),
+    **jointly(flip_bounds, flip_between, regimes.tilt_by_flip, turning_points),
     where=display(14),
     note="An oscillating motion with −π < ψ < 0 stays between −ψ_max and −ψ_min.",
     quotes=(MOTION,),
@@ -233,7 +226,9 @@ unstable_on_separatrix = Claim(
 )
 
 fig_ph_portrait = Claim(
-    **jointly(three_regimes, unstable_on_separatrix, momentum_at_rest, equilibria_phase_portrait),
+    **jointly(
+        regimes.three_regimes, unstable_on_separatrix, momentum_at_rest, equilibria_phase_portrait
+    ),
     where=line(157),
 )
 
@@ -294,9 +289,9 @@ similar_to_a_pendulum = Claim(
         linear_at_e3,
         linear_pendulum,
         unstable_on_separatrix,
-        depth_at_e3,
-        symmetry_half,
-        three_regimes,
+        regimes.depth_at_e3,
+        regimes.symmetry_half,
+        regimes.three_regimes,
     ),
     where=line(164),
 )
@@ -357,7 +352,7 @@ eq_dthetadphi = Claim(
 )
 
 fig_portrait_theta = Claim(
-    **jointly(three_regimes, handle_crosses, handle_side, rest_points),
+    **jointly(regimes.three_regimes, regimes.handle_crosses, regimes.handle_side, rest_points),
     where=line(179),
     quotes=(MOTION,),
 )
@@ -456,7 +451,7 @@ eq_borne_theta = Claim(
         oscillating_tilt_between,
         tilts_in_order,
         tilt_above_least,
-        theta_half,
+        regimes.theta_half,
         bounds_are_reached,
     ),
     where=display(17),

@@ -6,12 +6,11 @@
 - `abstract_flip`: the tennis racket effect itself.
 """
 
-from tresym.proofs import conclusion, euler_angles, table_of_objects
+from tresym.proofs import conclusion, euler_angles, regimes, table_of_objects
 from tresym.proofs.asymptotics import printed_error, uniform_formulas
 from tresym.proofs.conditions import defect, ordered_moments, shape
 from tresym.proofs.frames import perfect_flip
 from tresym.proofs.numbers_in_text import flip_of_no_flip, flip_str_exact, tre_if_eps0_small
-from tresym.proofs.regimes import realizable_shape
 from tresym.proofs.separatrix import one_flip_defect
 
 from tresym.ledger.vocabulary import *
@@ -94,7 +93,7 @@ some_bodies = Claim(
 )
 
 shapes_of_bodies = Claim(
-    **jointly(realizable_shape, planar_constraint),
+    **jointly(regimes.realizable_shape, planar_constraint),
 )
 
 label_claims(globals())

@@ -11,12 +11,12 @@
 
 from __future__ import annotations
 
+from tresym.proofs import regimes
 from tresym.proofs.conditions import defect, shape_of_a_body, standard_racket
 from tresym.proofs.flip_definition import symmetric_is_extreme
 from tresym.proofs.numbers_in_text import lower_level, upper_level_exact
 from tresym.proofs.on_the_separatrix import level_of_a_start
 from tresym.proofs.phase_portraits import flip_between
-from tresym.proofs.regimes import oscillating
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -117,7 +117,7 @@ near_flip_likely = Claim(
 
 narrow_swing = Claim(
     says=asin(sqrt(-gamma / b)) > epsilon,
-    given=(*oscillating, *defect, -gamma - b * sin(epsilon) ** 2 > 0),
+    given=(*regimes.oscillating, *defect, -gamma - b * sin(epsilon) ** 2 > 0),
     proof=(step(sqrt(-gamma / b) - sin(epsilon), applying("sin"), inverses, trigonometry),),
     note=(
         "With ε = π/12, ψ_max − ψ_min = π − 2 arcsin √(|γ|/b) < 5π/6, so no start flips far enough."

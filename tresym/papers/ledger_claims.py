@@ -29,7 +29,7 @@ This is how each line is understood:
   in, other comparisons become conditions.
 - In a chain ``a == b == c`` the claim is ``a == c``, in ``a == b >= c`` it is ``a >= c``, and each
   step is decided by itself. A step may name, in brackets behind it, the claims whose equations are
-  put in: ``a == b [one] == c [two]``. Other words there are printed.
+  put in, and no others: ``a == b [one] == c [two]``. Other words there are printed.
 - ``one: two and three`` claims again what others claim.
 - ``f == O(g) as x -> 0+`` is an order along a path, uniform in all other variables.
 - ``given x ~= 1.21`` is a printed input, and in ``label: e ~= 0.115`` the number is printed.

@@ -228,7 +228,7 @@ def _by_steps(claim: Claim, proof: Decided, says: Basic, given: Conditions) -> F
         for link in chain:
             right = last if link.expression is None else link.expression
             named = tuple(c for r in link.reasons for c in r.claims if c in proof.put)
-            rules, meant = instantiated(named or proof.put, given)
+            rules, meant = instantiated(named if link.reasons else proof.put, given)
             asked = tuple((c.left, c.sign, c.right) for c in put_into(given, rules))
             here = part.func if link is chain[-1] else Eq
             for r in _relations(here(left, right, evaluate=False), rules, meant):

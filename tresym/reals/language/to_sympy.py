@@ -10,7 +10,15 @@ from __future__ import annotations
 from typing import Any
 
 from tresym.reals.functions.table import CONSTANTS, TABLE
-from tresym.reals.language.expression import ORDERS, UNWORKED, Expr, instantiate, opened, symbol
+from tresym.reals.language.expression import (
+    ORDERS,
+    UNWORKED,
+    Expr,
+    instantiate,
+    opened,
+    symbol,
+    symbols,
+)
 from tresym.reals.numbers.exact import InputError
 
 
@@ -64,6 +72,9 @@ def _unworked(sympy: Any, node: Expr, walk: Any) -> Any:
         inner = walk(instantiate(node.args[0], (node.args[1],)))
         return sympy.Derivative(inner, walk(node.args[1]), evaluate=False)
     names, body = opened(node)
+    if node.op in ("at", "derivative") and not {*node.names} & symbols(node.args[0]):
+        names = node.names  # the values may contain the variable: it is another one there
+        body = instantiate(node.args[0], tuple(map(symbol, names)))
     inner, points = walk(body), [walk(arg) for arg in node.args[1:]]
     variables = [sympy.Symbol(name, real=True) for name in names]
     if node.op == "integral":
