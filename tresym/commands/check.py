@@ -342,7 +342,13 @@ def answer_text(answer: Answer, colour: bool = False, columns: int = 0) -> str:
         colour: whether for a terminal with colours.
         columns: where lines are wrapped; 0 for nowhere.
     """
+    from tresym.checking.towards_the_end import in_a_line
+
     sentence, rows = answer.in_text()
+    if answer.verdict is Verdict.REFUTED and answer.witness and (seen := in_a_line(answer)):
+        rows = [row for row in rows if row[0] not in ("witness", "left side", "right side")]
+        place = next((n for n, row in enumerate(rows) if row[0] == "instead"), len(rows))
+        rows.insert(place, ("on the way", seen))
     if answer.line is not None:
         rows.insert(0, ("line", str(answer.line)))
     seconds = answer.seconds

@@ -18,37 +18,28 @@ from fractions import Fraction
 from importlib.util import find_spec
 from itertools import groupby
 
-from flint import arb, fmpq
+from flint import fmpq
 
-from tresym.asymptotics.lemma import asserted_terms
 from tresym.checking.dispatch import decide_claim
+from tresym.checking.towards_the_end import RATIO, STEPS, sides_of
 from tresym.papers.error_rows import rounded
 from tresym.reals.decisions.answer import Answer
-from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.closed_values import certified_evaluation
-from tresym.reals.decisions.path_regions import along, conditions_of, reach_of
-from tresym.reals.domain.evaluation import UndefinedError
-from tresym.reals.expansions.scale import T
-from tresym.reals.language.comparisons import LIMIT, Comparison
-from tresym.reals.language.expression import ZERO, Expr, number, substitute, symbols
+from tresym.reals.decisions.path_regions import conditions_of, reach_of
+from tresym.reals.language.expression import ZERO
 from tresym.reals.language.parsing import as_written
-from tresym.reals.language.paths import Path
 from tresym.reals.language.readings import in_latex
 from tresym.reals.language.typesetting import expression_in_latex
-from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, decimal_ball
 from tresym.reals.verdict import Cause
 from tresym.report.typesetting import html
 from tresym.report.typesetting.formulas_in_words import parts, region_latex
 
-STEPS = tuple(fmpq(1, 4**n) for n in range(6))
-"""Where the two sides are compared: values of the small parameter."""
 PLACES = tuple(fmpq(4, 5) ** n for n in range(32))
 """Where the picture has points: parts of the region."""
 FEWEST = 6
 """Points of a picture at least."""
 DIGITS = 6
-RATIO = "left/right"
 MEANT = {
     Cause.EXACT: "an exact procedure proves it, without floating-point numbers",
     Cause.BALLS: "interval arithmetic with proved error bounds proves it",
@@ -211,61 +202,9 @@ def _steps(answer: Answer) -> Iterator[Step]:
         yield Step(part.claim, part.given, part.verdict, why)
 
 
-@dataclass(frozen=True)
-class _Sides:
-    """Both sides of an order or a limit in one variable, and the path on which they are compared.
-
-    Attributes:
-        end: the path.
-        heads: what is computed, as text: the expression of a limit, or both sides and their ratio.
-        parts: the expressions.
-    """
-
-    end: Path
-    heads: tuple[str, ...]
-    parts: tuple[Expr, ...]
-
-    def rows(self, steps: Iterable[fmpq]) -> list[tuple[Expr, list[arb]]]:
-        """Return points of the path with the values there, where they can be enclosed."""
-        rows = []
-        with ball_precision():
-            for t in steps:
-                point = along(self.end, self.end.sides[0])
-                x = substitute(point, {T: number(t)})
-                at = {self.end.name: x}
-                try:
-                    found = [certified_evaluation().value(substitute(e, at)) for e in self.parts]
-                    found += [found[0] / found[1]] if len(found) > 1 else []
-                except (UndefinedError, InputError, ZeroDivisionError):
-                    continue
-                if all(value.is_finite() and value.rad() < 1e-3 for value in found):
-                    rows.append((x, found))
-        return rows
-
-
-def _sides(answer: Answer) -> _Sides | None:
-    """Return the sides of a claim if they can be compared on the way to the end."""
-    try:
-        statement = read(answer.read_as)
-    except InputError:
-        return None
-    comparisons, end = statement.comparisons, statement.path
-    if end is None or end.together or len(comparisons) != 1 or statement.equations:
-        return None
-    (compared,) = comparisons
-    if (symbols(compared.left) | symbols(compared.right)) - {end.name} or compared.derivatives:
-        return None
-    if compared.relation == LIMIT:
-        return _Sides(end, (str(compared.left),), (compared.left,))
-    if compared.relation == "~" and len(terms := asserted_terms(compared.right, end.name)) > 1:
-        compared = Comparison(compared.left - compared.right, "o", terms[-1])
-    heads = (str(compared.left), str(compared.right), RATIO)
-    return _Sides(end, heads, (compared.left, compared.right))
-
-
 def _compared(answer: Answer) -> Iterator[tuple[str, ...]]:
     """Yield the heads of the columns and the rows in which both sides are compared."""
-    sides = _sides(answer)
+    sides = sides_of(answer)
     if sides is None:
         return
     rows = [
@@ -278,7 +217,7 @@ def _compared(answer: Answer) -> Iterator[tuple[str, ...]]:
 
 
 def _picture(answer: Answer) -> str:
-    sides = _sides(answer)
+    sides = sides_of(answer)
     if sides is None:
         return ""
     try:
