@@ -30,6 +30,7 @@ from tresym.manuscript.display import STRANGE, Said
 from tresym.manuscript.display_text import OR, WORDS
 from tresym.manuscript.kinds import Kinds
 from tresym.manuscript.mentions import about, names_in
+from tresym.manuscript.random_variables import Distributions
 from tresym.manuscript.solutions import (
     Solves,
     Stated,
@@ -99,6 +100,7 @@ class LinkReader:
         self.equations: dict[str, int] = {}
         self.stated: list[Stated] = []
         self.conventions = StatedConventions()
+        self.distributions = Distributions()
         self.position = 0
         self.places_ahead: dict[str, int] = {}
         self.values: list[Value] = []

@@ -36,7 +36,16 @@ from tresym.manuscript.files import Note
 from tresym.manuscript.link_reading import EITHER, LinkReader
 from tresym.manuscript.mentions import names_in
 from tresym.manuscript.solutions import Stated, names_of
-from tresym.manuscript.source import Display, Event, Missing, Prose, Scope, Section
+from tresym.manuscript.source import (
+    EXAMPLE,
+    STATEMENT,
+    Display,
+    Event,
+    Missing,
+    Prose,
+    Scope,
+    Section,
+)
 from tresym.manuscript.symbols import mentions
 from tresym.manuscript.terms import (
     as_derivatives,
@@ -97,6 +106,7 @@ class _Reading(LinkReader):
                 self.conventions.hear(event.title, event.chapter)
                 self.stated.clear()
                 self.values.clear()
+                self.distributions.close()
                 if event.chapter:
                     self.equations.clear()
                     self.memory.begin(self.chapters.pop(0))
@@ -104,12 +114,16 @@ class _Reading(LinkReader):
             elif isinstance(event, Scope):
                 self.last_term = ()
                 self.memory.scopes.mark(event)
+                if event.opens and event.kind in (STATEMENT, EXAMPLE):
+                    self.distributions.close()
                 before = ""
             elif isinstance(event, Missing):
                 continue
             elif isinstance(event, Prose):
                 self.memory.own.clear()
                 self.memory.remember(event.text)
+                for needed in self.distributions.hear(event.text):
+                    self.memory.remember(f"Let ${needed}$." if needed else "")
                 self.conventions.hear(event.text)
                 before = event.text
             else:
@@ -182,7 +196,7 @@ class _Reading(LinkReader):
             return
         self.memory.tends(display.text)
         try:
-            text, prose_between = between(display.text)
+            text, prose_between = between(self.distributions.in_integrals(display.text))
             if self.memory.primes:
                 text = re.sub(r"(?<![a-zA-Z\\])([a-zA-Z])'", r"\1_{primed}", text)
             for words in prose_between:
