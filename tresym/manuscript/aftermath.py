@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import groupby, pairwise
 
-from tresym.checking.time_limited import Task, check_all
+from tresym.checking.time_limited import Task, check_all, check_within
 from tresym.manuscript import prose
 from tresym.manuscript.classification import DEFINED, EQUATION
 from tresym.manuscript.deciding import PASSES, Row
@@ -24,7 +24,7 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.expression import ZERO, Expr, substitute, symbols
+from tresym.reals.language.expression import ZERO, Expr, add, bind, opened, substitute, symbols
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
@@ -83,9 +83,39 @@ def _excused(row: Row) -> Row:
         excuse = "the sign may mean the same order, as Theta does"
     elif _in_other_unit(row):
         excuse = "the sides may be in units that differ by a power of ten"
+    elif (alike := _with_longer_sums(row)) and _holds(alike):
+        excuse = f"it holds as {alike}, if the sum goes on to the end"
     if not excuse:
         return row
     return replace(row, status=Verdict.UNDECIDED.value, why=f"{excuse}; {row.why}")
+
+
+def _with_longer_sums(row: Row) -> str:
+    """Return an equality with all that follows a sum under it: some print sum (k + 2) as sum k +
+    2; empty if there is nothing to put under it."""
+    left, relation, right = row.link.sides or (ZERO, "", ZERO)
+    longer = [_longer_sum(side) for side in (left, right)]
+    if relation != "==" or longer == [left, right]:
+        return ""
+    given = row.refuted.partition(" given ")[2]
+    return f"{longer[0]} == {longer[1]}" + (f" given {given}" if given else "")
+
+
+def _longer_sum(side: Expr) -> Expr:
+    sums = [arg for arg in side.args if isinstance(arg, Expr) and arg.op == "sum"]
+    if side.op != "+" or len(sums) != 1:
+        return side
+    (one,) = sums
+    rest = [arg for arg in side.args if arg is not one]
+    names, body = opened(one, frozenset().union(*map(symbols, rest)))
+    return Expr("sum", (bind(add(body, *rest), names), *one.args[1:]), names)
+
+
+def _holds(claim: str) -> bool:
+    try:
+        return check_within(Task(claim), 2.0).verdict in (Verdict.PROVED, Verdict.ENCLOSED)
+    except InputError:
+        return False
 
 
 def _is_of_order(row: Row) -> bool:

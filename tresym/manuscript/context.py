@@ -398,6 +398,15 @@ class Memory(ConditionReader):
             bounds = tuple((symbol(half), ">=", ONE) for half in symbols(value))
             self.restrict({name}, "it may be meant to be positive", bounds=bounds)
 
+    def implicitly(self, text: str) -> None:
+        """Forget what small letters stood for that an equation determines: "Consider the curve"."""
+        for said in quietly(text):
+            if said.ops != ("=",) or self.head(said.terms[0]) is not None:
+                continue
+            for name in self.spoken_of(said) & self.functions.keys():
+                if len(name) == 1 and name.islower() and not self.functions[name].parameters:
+                    self.undefine(name)
+
     def other_parity(self, text: str) -> None:
         """Forget that a symbol is odd where a sentence speaks of even numbers, and conversely."""
         words = {word.lower() for word in _PARITY_WORD.findall(prose.without_formulas(text))}

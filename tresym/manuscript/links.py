@@ -85,6 +85,11 @@ _ASKED = re.compile(
     re.IGNORECASE,
 )
 """Words before a formula whose value a display gives that begins with an equality sign."""
+_IMPLICIT = re.compile(
+    r"\b(?:consider|implicit(?:ly)?|look\s+at|take|given)\b[^.;$]*\b(?:equation|curve|relation)s?\b",
+    re.IGNORECASE,
+)
+"""Words behind which an equation determines its symbols, whatever they stood for before."""
 BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 FIRST = "compared with the first side of the chain, which is equal"
 
@@ -195,6 +200,8 @@ class _Reading(LinkReader):
             yield replace(blank, status=UNREAD, why=why)
             return
         self.memory.tends(display.text)
+        if _IMPLICIT.search(prose.last_sentence(before)):
+            self.memory.implicitly(display.text)
         try:
             text, prose_between = between(self.distributions.in_integrals(display.text))
             if self.memory.primes:

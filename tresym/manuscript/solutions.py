@@ -19,10 +19,12 @@ from typing import NamedTuple
 
 from tresym.manuscript.classification import CONSTANTS, NO_VARIABLES, Attempt
 from tresym.manuscript.terms import base_of, unknown_in
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import ZERO, Expr, replaced, substitute, symbols
 from tresym.reals.language.formula import Compared
+from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.exact import InputError
 
 _DERIVATIVE = re.compile(r"(?:d|partial)(\d?)[A-Za-z]\w*?_(?:d|partial)([A-Za-z]\w*?)\d?")
@@ -120,6 +122,9 @@ def residual(
             return None  # it defines the symbol, and is no equation for it
     try:
         sides = [read(term) for term in equation.terms]
+        named = elementary(*sides) and name in symbols(sides[0]) | symbols(sides[1])
+        if named and name not in symbols(normal_form(sides[0] - sides[1], Given())):
+            return None  # it cancels, as y in x + y = 3 + y
         sides = [_with_derivatives(side, name, value) for side in sides]
         sides = [substitute(side, {name: value}) for side in sides]
     except (InputError, LookupError):
