@@ -13,12 +13,11 @@ to the exact equation, there is a claim for each interpretation.
 
 from __future__ import annotations
 
-from tresym.proofs import euler_angles, flip_dynamics, regimes
+from tresym.proofs import euler_angles, flip_dynamics, phase_portraits, regimes
 from tresym.proofs.conditions import STANDARD, defect, shape, shape_of_a_body, standard_racket
 from tresym.proofs.model import angular_velocity
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.orders import remark1
-from tresym.proofs.phase_portraits import eq_borne_psi, sign_constant_rotating
 from tresym.proofs.printed import inputs, moments, number, share_of_pi
 from tresym.proofs.separatrix import defect_is_one, flip_defect, leading_defect, one_flip_defect
 from tresym.proofs.turn_integral import closed_form, closed_slope, one_rotating_level
@@ -367,7 +366,9 @@ fig_roban = Claim(
 )
 
 fig_psiphi = Claim(
-    **jointly(regimes.three_regimes, sign_constant_rotating, eq_borne_psi),
+    **jointly(
+        regimes.three_regimes, phase_portraits.sign_constant_rotating, phase_portraits.eq_borne_psi
+    ),
     where=line(281),
 )
 

@@ -10,10 +10,9 @@
 
 from __future__ import annotations
 
-from tresym.proofs import euler_angles, flip_dynamics, regimes
+from tresym.proofs import euler_angles, flip_dynamics, phase_portraits, regimes
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import defect, ordered_moments, shape, shape_of_a_body, tilted
-from tresym.proofs.phase_portraits import separatrix_moves
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -108,7 +107,7 @@ separatrix_infinite_time = Claim(
 )
 
 cannot_cross = Claim(
-    **jointly(separatrix_infinite_time, separatrix_moves),
+    **jointly(separatrix_infinite_time, phase_portraits.separatrix_moves),
     where=line(334),
     note="In between the rate is not 0.",
     quotes=(MOTION,),

@@ -11,12 +11,11 @@
 
 from __future__ import annotations
 
-from tresym.proofs import regimes
+from tresym.proofs import phase_portraits, regimes
 from tresym.proofs.conditions import defect, shape_of_a_body, standard_racket
 from tresym.proofs.flip_definition import symmetric_is_extreme
 from tresym.proofs.numbers_in_text import lower_level, upper_level_exact
 from tresym.proofs.on_the_separatrix import level_of_a_start
-from tresym.proofs.phase_portraits import flip_between
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -141,7 +140,7 @@ far_from_separatrix = Claim(
         symmetric_is_extreme,
         faster_at_higher_level,
         narrow_swing,
-        flip_between,
+        phase_portraits.flip_between,
     ),
     where=line(272),
     note="Both limits are near the 10⁻² of the paper, which says “approximately”; b sin²(π/12) "

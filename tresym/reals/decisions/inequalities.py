@@ -340,6 +340,8 @@ def _constants(left: Expr, relation: str, right: Expr) -> Answer:
             return Answer(Verdict.PROVED, "the two constants are equal")
         return refuted("the two constants are equal", {})
     its_sign = sign(left - right, Given())
+    if its_sign in PROVING[relation] and left.op == right.op == "number":
+        return Answer(Verdict.PROVED, "these are numbers")
     if its_sign in PROVING[relation]:
         return Answer(Verdict.ENCLOSED, "interval arithmetic separates the two constants")
     return Answer(
