@@ -275,7 +275,7 @@ def jointly(*claims: Claim) -> dict[str, Any]:
         ``d11 = Claim(**jointly(range_of_shape, range_of_gamma))``
     """
     if any(claim.statement is None for claim in claims):
-        raise InputError("jointly combines claims that state formulas")
+        raise InputError("jointly: a claim states no formula; list only claims with formulas")
     known = [(claim.statement, claim.given) for claim in claims if claim.statement is not None]
     same = {given for _, given in known}
     if len(same) == 1 and not any(

@@ -119,7 +119,9 @@ def statements(text: str) -> list[Said]:
     words: list[str] = []
     tokens = tokenize(prepared(text, words), frozenset({"hot"}))
     if sum(token in RELATIONS for token in tokens) > MAX_RELATIONS:
-        raise InputError(f"there are more than {MAX_RELATIONS} relations in it")
+        raise InputError(
+            f"the display has more than {MAX_RELATIONS} signs such as = or <; split it"
+        )
     found: list[Said] = []
     for cell in _rows(tokens):
         chains = _chains(cell.tokens)

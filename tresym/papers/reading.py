@@ -717,7 +717,7 @@ class Reader:
         known = {*self.declared, *self.definitions, *more}
         for name in sorted(names):
             if name in self.stale:
-                raise InputError(f"{name} is defined with {self.stale[name]}: define it again")
+                raise InputError(f"{name} contains {self.stale[name]}: define {name} again")
             if name in self.failed and name not in self.claims:
                 raise InputError(f"{name} stands on line {self.failed[name]}, which is not read")
             if name not in known and not _USUAL.fullmatch(name) and name.rstrip("_") not in GREEK:
@@ -781,7 +781,7 @@ class Reader:
         """The text with defined functions under names that the grammar takes for functions."""
         for name, why in self.stale.items():
             if re.search(rf"(?<![\w\\]){re.escape(name)}\s*\(", text):
-                raise InputError(f"{name} is defined with {why}: define it again")
+                raise InputError(f"{name} contains {why}: define {name} again")
         for name, line in self.failed.items():
             if re.search(rf"(?<![\w\\]){re.escape(name)}\s*\(", text):
                 raise InputError(f"{name} stands on line {line}, which is not read")
@@ -1049,7 +1049,7 @@ class Reader:
             del self.assumed[link]
         for other in [d for d in self.definitions.values() if name in names_in(d.written)]:
             if name not in other.parameters:
-                self.stale[other.name] = f"the variable {name} of line {at}, declared again since"
+                self.stale[other.name] = f"the variable {name} of line {at}, which was declared again since"
         self.used.pop(name, None)
 
     def _joined(self, text: str) -> tuple[str, tuple[str, ...]]:

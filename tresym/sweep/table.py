@@ -253,7 +253,9 @@ def _plainly(path: str, others: type[Exception] = ValueError) -> Iterator[None]:
         raise
     except (sqlite3.Error, others) as error:
         if "locked" in str(error):
-            raise InputError(f"{path}: is in use by another process") from None
+            raise InputError(
+                f"{path}: is in use by another process; wait until it ends, or name another file"
+            ) from None
         raise InputError(f"{path}: {error}") from None
 
 
