@@ -1049,7 +1049,8 @@ class Reader:
             del self.assumed[link]
         for other in [d for d in self.definitions.values() if name in names_in(d.written)]:
             if name not in other.parameters:
-                self.stale[other.name] = f"the variable {name} of line {at}, which was declared again since"
+                why = f"the variable {name} of line {at}, which was declared again since"
+                self.stale[other.name] = why
         self.used.pop(name, None)
 
     def _joined(self, text: str) -> tuple[str, tuple[str, ...]]:
