@@ -27,7 +27,7 @@ from tresym.ledger.claim import (
     step,
     together,
 )
-from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
+from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import Premise
@@ -76,7 +76,6 @@ KINDS = [
     (x > y, Boxes((), (), ""), "bound", Verdict.ENCLOSED),
     (equal(x, y), Boxes((), (), ""), "bound", Verdict.ENCLOSED),
     (equal(x, y), Asymptotics(), "order", Verdict.REFUTED),
-    (equal(x, y), Squeezed(x), "order", Verdict.PROVED),
     ("x is y", Counterexample({"x": fmpq(1)}), "statement", Verdict.REFUTED),
     ("x is y", Denied((A,), {"x": fmpq(1)}), "statement", Verdict.REFUTED),
     (equal(x, y), Definition("a law"), "definition", Premise.ASSUMED),

@@ -65,7 +65,7 @@ from tresym.ledger.conversion import (
 from tresym.ledger.counterexamples import contradiction, scalars
 from tresym.ledger.definitions import captured, conflict, confused, judge_definition, table
 from tresym.ledger.evidence.allowed_evidence import unfit
-from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed, failing_order, judge_squeezed
+from tresym.ledger.evidence.asymptotics import Asymptotics, failing_order
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chain import check_chain, instantiated
 from tresym.ledger.evidence.chart_bounds import Charted, judge_charted
@@ -115,7 +115,7 @@ from tresym.reals.verdict import Verdict
 Findings = Mapping[str, Finding]
 
 NEVER_ATTACKED = (
-    *(Definition, Root, ImplicitFunction, AllOf, UniqueRoot, Monotone, Asymptotics, Squeezed),
+    *(Definition, Root, ImplicitFunction, AllOf, UniqueRoot, Monotone, Asymptotics),
     *(Follows, RootMonotone, MonotoneOf, InfimumBy, Dominated, Conservation, Lyapunov, Growing),
 )
 """Evidence whose claims skip the independent check: a single point cannot contradict their
@@ -318,8 +318,6 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
             return shown or Finding(
                 UNDECIDED, "no asymptotic expansion was found that contradicts the order"
             )
-        case Squeezed():
-            return _unless(partial(failing_order, claim), judge_squeezed, claim, claim.proof)
         case Decided():
             return _unless(partial(refuted_part, claim), judge_decided, claim, claim.proof)
         case Boxes():

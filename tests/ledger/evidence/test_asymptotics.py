@@ -1,7 +1,6 @@
 """Orders decided from their formulas, and what a path must show before it refutes one."""
 
 from dataclasses import replace
-from fractions import Fraction
 from typing import Any
 
 import pytest
@@ -10,7 +9,8 @@ from sympy import Function, Integer, Rational, Symbol, Tuple, exp, oo, sin, sqrt
 from tresym.ledger.claim import Claim, Root, UniqueRoot, by, equal, step
 from tresym.ledger.evidence import asymptotics
 from tresym.ledger.evidence.allowed_evidence import is_formal
-from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed, ordered, t
+from tresym.ledger.evidence.asymptotics import Asymptotics, ordered, t
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import differentiation
@@ -45,63 +45,11 @@ def verdict(says: Any, proof: Any = None, *given: Any) -> Verdict:
     ],
 )
 def test_expansions_refute_an_order_in_one_variable(says: Any) -> None:
-    for proof in (Asymptotics(), Squeezed(Integer(1))):
-        found = finding(says, proof)
-        assert found.verdict is Verdict.REFUTED
-        assert found.parameter is not None
-        assert found.witness is not None
-        assert is_formal(Claim("formal", "…", proof, means=says))
-
-
-SHOWN = [
-    (order(equal(sin(x), x + O(x**3)), x), Squeezed(Integer(1), 0)),
-    (order(equal(sin(x), x + O(x**3)), x, side=-1), Squeezed(Integer(1), 0)),
-    (order(equal(exp(-1 / x), o(x**3)), x), Squeezed(Integer(4) ** 4)),
-    (order(equal(sqrt(x), o(Integer(1))), x), Squeezed(Integer(1), Fraction(1, 2))),
-    (order(equal(x / (x + 2), 1 + o(Integer(1))), x, oo), Squeezed(Integer(2))),
-    (order(equal(x / (x - 2), 1 + O(1 / x)), x, -oo), Squeezed(Integer(2), 0)),
-    (order(equal(y**2 * x**2, o(-x * y**2)), x), Squeezed(Integer(1))),
-]
-
-
-@pytest.mark.parametrize(("says", "proof"), SHOWN)
-def test_a_bound_on_the_whole_side_shows_an_order(says: Any, proof: Squeezed) -> None:
-    assert verdict(says, proof) is Verdict.PROVED
-    assert verdict(says) is Verdict.UNDECIDED
-    assert is_formal(Claim("formal", "…", proof, means=says))
-
-
-@pytest.mark.parametrize(
-    ("says", "proof"),
-    [
-        (order(equal(sin(x), o(x)), x), Squeezed(Integer(1), 0)),
-        (order(equal(sin(x), o(x)), x), Squeezed(1 / x)),
-        (order(equal(x, o(x)), x), Squeezed(1 / x)),
-        (order(equal(x, o(x)), x), Squeezed(Integer(1), k)),
-        (order(equal(x**k, o(Integer(1))), x), Squeezed(Integer(1), k)),
-        (order(equal(x**2, o(x)), x, 2 * x), Squeezed(Integer(1))),
-        (order(equal(1 / x, O(Integer(1))), x), Squeezed(Integer(1), -1)),
-        (order(equal(x, o(Integer(1))), x, oo), Squeezed(Integer(1), -1)),
-        (order(equal(x, O(x**2)), x), Squeezed(Integer(1))),
-        (order(equal(-x, O(x**2)), x), Squeezed(Integer(1))),
-        (order(equal(x, O(-(x**2))), x), Squeezed(Integer(-1), 0)),
-        (order(equal(exp(-1 / x), o(x**3)), x, side=0), Squeezed(Integer(4) ** 4)),
-        (order(equal(exp(-1 / x), o(x**3)), x, side=-1), Squeezed(Integer(4) ** 4)),
-        (order(equal(x, O(Integer(1))), x, side=0), Squeezed(Integer(1), 0)),
-        (order(equal(sin(x), x + O(x**3)), 2 * x), Squeezed(Integer(1), 0)),
-        (order(equal(sin(x), x), x), Squeezed(Integer(1), 0)),
-        (order(equal(sqrt(-x), O(x)), x), Squeezed(Integer(1), 0)),
-        (order(equal(x, O(x + sqrt(-x))), x), Squeezed(Integer(1), 0)),
-        (order(equal(y, O(x)), x), Squeezed(y, 0)),
-    ],
-)
-def test_a_bound_that_is_not_shown_or_not_small_shows_no_order(says: Any, proof: Any) -> None:
-    assert not verdict(says, proof).holds
-
-
-def test_a_bound_is_of_statements_without_conditions() -> None:
-    says, proof = SHOWN[0]
-    assert verdict(says, proof, x < -1) is Verdict.UNDECIDED
+    found = finding(says, Asymptotics())
+    assert found.verdict is Verdict.REFUTED
+    assert found.parameter is not None
+    assert found.witness is not None
+    assert is_formal(Claim("formal", "…", Asymptotics(), means=says))
 
 
 @pytest.mark.parametrize(
@@ -133,8 +81,8 @@ def test_conditions_that_decide_nothing_are_refused() -> None:
 
 def test_the_order_meant_is_the_order_said() -> None:
     says = equal(sin(x), x + O(x**3))
-    said = Claim("said", says, Squeezed(Integer(1), 0), means=order(says, x))
-    assert judge(said, {}).verdict is Verdict.PROVED
+    said = Claim("said", says, Decided(), means=order(says, x))
+    assert judge(said, {}).verdict.holds
     other = replace(said, says=equal(sin(x), x + O(x**4)))
     assert "differs from the order in" in judge(other, {}).why
 

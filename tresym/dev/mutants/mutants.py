@@ -62,7 +62,7 @@ from tresym.ledger.claim import (
     with_reasons,
 )
 from tresym.ledger.counterexamples import rootless
-from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
+from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted, Reading
 from tresym.ledger.evidence.decided import Decided
@@ -201,7 +201,7 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
         case Decided() if not isinstance(claim.statement, As):
             yield _said_spot(claim, "statement", _mutated(claim), _is_violated, CHARTED_TRIES)
             yield _region_spot(claim, _is_violated, CHARTED_TRIES)
-        case Asymptotics() | Squeezed() | Decided():
+        case Asymptotics() | Decided():
             for name, variants, changed in order_changes(claim):
                 fails = is_refuted if is_refuted(claim) else order_fails
                 yield _Spot(name, variants, _one(changed), fails)

@@ -42,7 +42,7 @@ from tresym.ledger.claim import (
     UniqueRoot,
 )
 from tresym.ledger.conversion import conditions, tree
-from tresym.ledger.evidence.asymptotics import Asymptotics, Squeezed
+from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted
 from tresym.ledger.evidence.decided import Decided
@@ -73,14 +73,14 @@ HOLDS_FUNCTIONS = (Boxes, Denied)
 """Evidence whose relation to the statement is only checked at sample points, or by the reader."""
 DECIDING = (
     *(tuple, Together, UniqueRoot, Monotone, Printed, Formally, Counterexample),
-    *(Asymptotics, Squeezed, Charted, Evaluated, Boxes),
+    *(Asymptotics, Charted, Evaluated, Boxes),
     *(RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge, InfimumBy, Dominated),
     *(Conservation, Lyapunov, Growing, Follows, Decided),
 )
 """Evidence that decides the formula in ``means``, also if ``says`` is different."""
 KINDS = (
     *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction),
-    *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Squeezed, Denied, Evaluated),
+    *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Denied, Evaluated),
     *(Monotone, Follows, RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge),
     *(InfimumBy, Dominated, Conservation, Lyapunov, Growing, Decided),
 )
@@ -177,7 +177,7 @@ def _odd_condition(claim: Claim) -> object | None:
 
 def _left_open(claim: Claim) -> bool:
     """Return whether the statement contains an order but the evidence is not about orders."""
-    orders = (Boxes, Asymptotics, Squeezed, Dominated, Follows, AllOf, Decided)
+    orders = (Boxes, Asymptotics, Dominated, Follows, AllOf, Decided)
     return is_open(claim.says) and not isinstance(claim.proof, orders)
 
 

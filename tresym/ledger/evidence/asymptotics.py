@@ -1,10 +1,8 @@
-"""Orders as something tends to a point: shown by a bound, refuted by expansions along a path.
+"""Orders as something tends to a point, refuted by expansions along a path.
 
-- Proof (`Squeezed`, one variable): the sign prover shows |difference| ≤ C·rᵏ·gauge on the whole
-  side of the point, with r the distance from it (or 1/|x| at infinity).
-- Refutation (`Asymptotics`): the asymptotic expansion of the difference contradicts the order, in
-  one variable or along a path. On the path all conditions must hold and the limit must be reached.
-  A path never proves an order in several variables.
+`Asymptotics`: the asymptotic expansion of the difference contradicts the order, in one variable or
+along a path. On the path all conditions must hold and the limit must be reached. A path never
+proves an order in several variables.
 
 A symbol defined as the root of a function has no expansion of its own. On a path it is compared
 with a candidate expression: it lies above or below the candidate, depending on the sign of the
@@ -15,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import ClassVar, NamedTuple
 
 from sympy import Basic, Eq, Expr, Rational, Symbol, Tuple, oo
@@ -25,16 +22,13 @@ from sympy.core.relational import Relational
 from tresym.asymptotics.order_claims import decide_order
 from tresym.ledger.claim import Claim, Root
 from tresym.ledger.conversion import conditions, defined, definitions, tree
-from tresym.ledger.evidence.integrals import NotShownError, need
-from tresym.ledger.evidence.sign_prover import is_manifest, undefined
 from tresym.ledger.finding import Finding, Ruling
 from tresym.ledger.statements import As, ExactlyOne
 from tresym.reals.expansions.leading_terms import sign_towards
-from tresym.reals.language.binders import elementary, worked_out
+from tresym.reals.language.binders import worked_out
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.expression import ONE, ZERO, substitute, symbols
 from tresym.reals.language.expression import Expr as Tree
-from tresym.reals.language.formula import Relation
 from tresym.reals.language.paths import Path
 from tresym.reals.numbers.exact import parse_number
 from tresym.reals.signs.interior import PROVING
@@ -65,23 +59,6 @@ class Asymptotics:
     expect: ClassVar[Ruling] = Verdict.REFUTED
 
 
-@dataclass(frozen=True)
-class Squeezed:
-    """Evidence for an order in one variable: |difference| ≤ ``constant``·rᵏ·|gauge| for all r > 0.
-
-    r is the distance from the limit point, or 1/|x| at infinity.
-
-    Attributes:
-        constant: a number.
-        power: the exponent k; at least 0 for O(…), positive for o(…).
-    """
-
-    constant: Expr
-    power: Fraction | int = 1
-    kind: ClassVar[str] = "order"
-    expect: ClassVar[Ruling] = Verdict.PROVED
-
-
 class Ordered(NamedTuple):
     """The statement that ``difference`` is O(``gauge``) or o(``gauge``), as ``kind`` says."""
 
@@ -99,42 +76,6 @@ def failing_order(claim: Claim) -> Finding | None:
     proof = claim.proof if isinstance(claim.proof, Asymptotics) else Asymptotics()
     found = _expanded(claim, proof)
     return found if found.verdict is Verdict.REFUTED else None
-
-
-def judge_squeezed(claim: Claim, proof: Squeezed) -> Finding:
-    """Return PROVED if the inequality is proved on the whole side of the limit point.
-
-    Raises:
-        NotShownError: the inequality could not be proved, or the statement is not an order in one
-            variable.
-    """
-    says = claim.statement
-    stated = ordered(says.args[0]) if isinstance(says, As) else None
-    if stated is None or not isinstance(says, As) or not isinstance(says.args[1], Symbol):
-        raise NotShownError("the statement must be an equation with one order in one variable")
-    _, x, point, side = says.args
-    infinite = point in (oo, -oo)
-    away = (x if point == oo else -x) if infinite else side * (x - point)
-    distance = 1 / away if infinite else away
-    need(x not in point.free_symbols, f"the limit point must not depend on {x}")
-    need(not claim.given, "evidence by an inequality on one side of the point takes no conditions")
-    small = isinstance(proof.power, int | Fraction) and not proof.constant.free_symbols
-    enough = proof.power > 0 if stated.kind == "o" else proof.power >= 0
-    need(
-        small and enough,
-        "the bound is too weak: it needs a constant without symbols and a power of at least 0 for "
-        "O(…), or above 0 for o(…)",
-    )
-    near = conditions((away > 0,))
-    rises = is_manifest(Relation(tree(stated.gauge), ">=", ZERO), near)
-    size = proof.constant * distance**proof.power * (stated.gauge if rises else -stated.gauge)
-    most = tree(size)
-    for e in (tree(stated.difference), tree(-stated.difference)):
-        gap = undefined(e, near) or undefined(most, near)
-        need(gap is None and elementary(e, most), f"could not show that {gap or e} is defined")
-        need(is_manifest(Relation(e, "<=", most), near), f"could not show {e} <= {most}")
-    why = f"±({stated.difference}) <= {size} for all {x} on that side of the limit point"
-    return Finding(Verdict.PROVED, why, region=f"{away} > 0")
 
 
 def _expanded(claim: Claim, proof: Asymptotics) -> Finding:

@@ -45,7 +45,6 @@ _EVIDENCE = {
     "place",
     "Boxes": "ball arithmetic on boxes that cover the region",
     "Asymptotics": "an asymptotic expansion that contradicts the stated order",
-    "Squeezed": "an inequality that holds on the whole side of the point",
     "Decided": "the general decision procedure for claims, with definitions unfolded",
     "Denied": "a proved claim that contradicts it",
     "Follows": "evidence for each of its parts",
