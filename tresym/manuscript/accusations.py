@@ -138,6 +138,9 @@ def ground(
     for x in sorted(names):
         if base_of(x) != x:
             doubt(DoubtKind.UNREAD, f"{x} depends on something that was not read")
+    variable = path.split(" ")[0]
+    for x in sorted(_of_path(left, relation, right, variable) if variable else ()):
+        doubt(DoubtKind.UNREAD, f"{x} may depend on {variable}, or be determined by the expansion")
     if n == 0 and head is not None and not explicit:
         doubt(DoubtKind.DEFINITION, f"it may define {head.name}")
     if relation in _BOUNDS and names and not explicit:
@@ -156,6 +159,18 @@ def ground(
     for letter in sorted(_repeated(names)):
         doubt(DoubtKind.SUMMED, f"the index {letter} may be summed over")
     return Ground(tuple(doubts), explicit, universal, reach, left == right, places, bounds)
+
+
+def _of_path(left: Expr, relation: str, right: Expr, variable: str) -> set[str]:
+    """Return the symbols of an expansion that are no parameters: terms of a sequence with its
+    index, y_n, and a constant that stands on its right side alone."""
+    names = symbols(left) | symbols(right)
+    orders = any(node.op in ("O", "o") for node in outermost(right))
+    indexed = {x for x in names if variable in x.partition("_")[2] and x != variable}
+    new = symbols(right) - symbols(left) if orders else set()
+    terms = right.args if right.op == "+" else ()
+    alone = {str(term) for term in terms if term.op == "symbol"} - {"gamma"}
+    return indexed | (alone & new)
 
 
 def far_definitions(memory: Memory, put_in: Iterable[str], under: Under) -> tuple[str, ...]:
