@@ -127,7 +127,8 @@ def decide_peano(claim: Comparison, statement: Statement, decided: Decide) -> An
     refuting = compared(low, relation if attained else "<=")
     if refuting.verdict is Verdict.REFUTED:
         nearly = "nearly " if changes or found.strict else ""
-        example = f"{f}(t) = M*t**{p}/{factorial(p)}" if not changes else "splines"
+        monomial = found.most * power(symbol("t"), number(p)) / factorial(p)
+        example = f"{f}(t) = {monomial}" if not changes else "splines"
         why = f"{error} for all smooth {f} with this bound, {nearly}reached by {example}"
         return replace(refuting, why=why, lemma=LEMMA, values=None)
     why = f"{error} for all smooth {f} with this bound, but it was not compared: {proved.why}"
