@@ -93,15 +93,17 @@ def as_written(claim: Any, given: Any, path: str | None) -> Written:
         return Written((comparison,), (*_given(given), *conditions), tends)
     if isinstance(given, str) and not _LATEX.search(claim + given):
         claim, given = with_differential_notation(claim, given)
+    # A region after a path, "as n -> oo on n >= 1", is said in the grammar.
+    typed, word, region = claim.partition(" on ") if " as " in claim else (claim, "", "")
     try:
         return _strictly(claim, given, path)
     except InputError:
-        found = spelled(claim, given if isinstance(given, str) else "")
+        found = spelled(typed, given if isinstance(given, str) else "")
         if found is None:
             raise
     end = found.path or path
     more = f" given {found.given}" if found.given else ""
-    again = _strictly(f"{found.claim}{more}", given, end)
+    again = _strictly(f"{found.claim}{more}{word}{region}", given, end)
     return _read_again(str(again))
 
 
