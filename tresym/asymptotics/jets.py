@@ -28,6 +28,7 @@ from tresym.reals.language.expression import (
     ZERO,
     Expr,
     add,
+    apply,
     fresh,
     instantiate,
     integer,
@@ -127,7 +128,7 @@ class Jets:
         h: the variable of the series.
         variables: what the variables of the coefficients stand for, in their order.
         constants: the numbers that are not rational, by the names of their variables.
-        divisors: the parameters that are divided by, and 1 over them.
+        divisors: what is divided by, by the variables that stand for 1 over it.
         implicit: whether a stage depends on itself.
         rules: the functions that differential equations determine.
     """
@@ -141,7 +142,7 @@ class Jets:
         self.equations: dict[str, Expr] = {}
         self.stages: dict[str, Series] = {}
         self.constants: dict[str, Expr] = {}
-        self.divisors: dict[Variable, Expr] = {}
+        self.divisors: dict[Variable, Polynomial] = {}
         self.implicit = False
         self.top = 0
         self._numbers: dict[Variable, int] = {}
@@ -238,6 +239,13 @@ class Jets:
         self, name: str, orders: tuple[int, ...], base: tuple[Polynomial, ...]
     ) -> Polynomial:
         """Return a derivative of a function at a point."""
+        if name in PERIODIC:
+            (n,) = orders
+            sign = PERIODIC[name]
+            if sign == 0:
+                return self._variable(Variable(name, (0,), tuple(map(str, base))), base)
+            which = Variable(name, (n % 2,), tuple(map(str, base)))
+            return self._variable(which, base) * fmpq(sign ** (n // 2))
         rule = self.rules.get(name)
         if rule is None or orders[rule.place] < rule.order:
             return self._variable(Variable(name, orders, tuple(map(str, base))), base)
@@ -280,6 +288,9 @@ class Jets:
 
     def _slope(self, which: Variable, name: str) -> Polynomial:
         """Return the total derivative of a variable of the coefficients by a symbol."""
+        if which in self.divisors:
+            inverse = _ring().gen(self._numbers[which])
+            return -self._differentiated(self.divisors[which], name) * inverse**2
         if not which.orders:
             return _ring().constant(int(which.name == name))
         base = self.bases[which]
@@ -379,29 +390,59 @@ class Jets:
         return self.constant(self._variable(Variable(name)))
 
     def reduced(self, series: Series) -> Series:
-        """Return a series with squares of roots of numbers, and products c*(1/c), replaced."""
-        for name, value in self.constants.items():
-            k = self._numbers[Variable(name)]
-            square = _square(value)
-            other = self._numbers.get(Variable(str(value.args[0]))) if _is_inverse(value) else None
-            if square is None and other is None:
-                continue
-            terms: dict[int, Polynomial] = {}
-            for n, c in series.terms.items():
+        """Return a series without the coefficients that vanish by what is known of variables."""
+        terms = {n: self._simpler(c) for n, c in series.terms.items()}
+        return Series({n: c for n, c in terms.items() if not self._vanishes(c)}, series.known)
+
+    def _simpler(self, c: Polynomial) -> Polynomial:
+        """Return a coefficient with products of a variable and its inverse replaced by 1."""
+        for which, divisor in self.divisors.items():
+            (exponents, *more) = divisor.monoms()
+            if not more and sum(exponents) == 1:
+                k, other = self._numbers[which], next(j for j, n in enumerate(exponents) if n)
                 total = _ring().constant(0)
-                for exponents, factor in c.terms():
-                    lower = list(exponents)
-                    if square is not None:
-                        whole, lower[k] = divmod(int(exponents[k]), 2)
-                        factor *= square**whole
-                    elif other is not None:
-                        both = min(exponents[k], exponents[other])
-                        lower[k], lower[other] = exponents[k] - both, exponents[other] - both
+                for powers, factor in c.terms():
+                    lower = list(powers)
+                    both = min(lower[k], lower[other])
+                    lower[k], lower[other] = lower[k] - both, lower[other] - both
                     total += _ring().from_dict({tuple(lower): factor})
-                if not total.is_zero():
-                    terms[n] = total
-            series = Series(terms, series.known)
-        return series
+                c = total
+        return c
+
+    def _vanishes(self, c: Polynomial) -> bool:
+        """Return whether a coefficient is 0 by roots of numbers, divisors, sines and cosines."""
+        for which, divisor in self.divisors.items():
+            k = self._numbers[which]
+            most = _degree(c, k)
+            c = self._replaced(c, k, [divisor ** (most - n) for n in range(most + 1)])
+        for name, value in self.constants.items():
+            square = _square(value)
+            if square is not None:
+                c = self._squared(c, Variable(name), _ring().constant(square))
+        for which in list(self.variables):
+            if which.name in PERIODIC and which.orders == (1,):
+                base = self.bases[which]
+                sine = self._variable(which._replace(orders=(0,)), base)
+                c = self._squared(c, which, sine**2 * fmpq(PERIODIC[which.name]) + 1)
+        return bool(c.is_zero())
+
+    def _squared(self, c: Polynomial, which: Variable, square: Polynomial) -> Polynomial:
+        """Return a coefficient with the square of a variable replaced."""
+        k = self._numbers[which]
+        one = _ring().gen(k)
+        powers = [square ** (n // 2) * one ** (n % 2) for n in range(_degree(c, k) + 1)]
+        return self._replaced(c, k, powers)
+
+    def _replaced(self, c: Polynomial, k: int, values: list[Polynomial]) -> Polynomial:
+        """Return a coefficient with other values of the powers of a variable."""
+        parts: dict[int, dict[tuple[int, ...], fmpq]] = {}
+        for powers, factor in c.terms():
+            rest = tuple(0 if j == k else int(n) for j, n in enumerate(powers))
+            parts.setdefault(int(powers[k]), {})[rest] = factor
+        total = _ring().constant(0)
+        for n, part in parts.items():
+            total += _ring().from_dict(part) * values[n]
+        return total
 
     def _power(self, e: Expr, bound: Mapping[str, Series]) -> Series:
         n = integer(e.args[1])
@@ -421,13 +462,12 @@ class Jets:
         return one * other
 
     def _reciprocal(self, series: Series, e: Expr) -> Series:
-        """Return 1/e, for a first coefficient that is a number."""
+        """Return 1/e by a geometric series."""
         n = series.first
         lead = series.terms.get(n)
-        inverse = self._inverse(lead) if lead is not None else None
-        if inverse is None:
+        if lead is None:
             raise UnreadError(f"the denominator {e} does not begin with a power of {self.h}")
-        one = Series({-n: inverse}, series.known - 2 * n)
+        one = Series({-n: self._inverse(lead)}, series.known - 2 * n)
         rest = Series({m: c for m, c in series.terms.items() if m != n}, series.known)
         small = (rest * one).times(fmpq(-1))  # 1/e = one (1 + small + small**2 + …)
         total = term = self.constant(1)
@@ -436,23 +476,30 @@ class Jets:
             total += term
         return total.upto(series.known - n) * one
 
-    def _inverse(self, lead: Polynomial) -> Polynomial | None:
-        """Return the inverse of a product of a number and parameters."""
-        if len(lead) != 1 or any(v.orders for v in self.used(lead)):
-            return None
-        ((exponents, c),) = lead.terms()
-        found = _ring().constant(fmpq(1) / c)
-        moving = {name for rule in self.rules.values() for name in rule.names}
-        for k, n in enumerate(exponents):
+    def _inverse(self, lead: Polynomial) -> Polynomial:
+        """Return 1/p as a product of variables, one for each parameter that divides p."""
+        if lead.is_constant():
+            return _ring().constant(fmpq(1) / lead.leading_coefficient())
+        least = [min(int(n) for n in powers) for powers in zip(*lead.monoms(), strict=True)]
+        rest = _ring().from_dict(
+            {
+                tuple(int(n) - m for n, m in zip(powers, least, strict=True)): c
+                for powers, c in lead.terms()
+            }
+        )
+        found = self.one
+        for k, n in enumerate(least):
             if n:
-                which = self.variables[k]
-                value = power(self.meaning(which), number(-1))
-                if which.name in moving or which.name in self.constants:
-                    return None
-                self.constants[str(value)] = value
-                self.divisors[which] = value
-                found *= self._variable(Variable(str(value))) ** int(n)
-        return found
+                found *= self._over(_ring().gen(k)) ** n
+        if rest.is_constant():
+            return found * (fmpq(1) / rest.leading_coefficient())
+        return found * self._over(rest)
+
+    def _over(self, divisor: Polynomial) -> Polynomial:
+        """Return the variable that stands for 1/p."""
+        which = Variable(f"1/({divisor})")
+        self.divisors[which] = divisor
+        return self._variable(which)
 
     def _call(self, e: Expr, bound: Mapping[str, Series]) -> Series:
         (name, orders), args = e.args[0].args, [self.read(arg, bound) for arg in e.args[1:]]
@@ -519,13 +566,21 @@ class Jets:
         return total
 
     def _elementary(self, e: Expr, bound: Mapping[str, Series]) -> Series:
-        """Return exp, sin, … of a series without a constant term."""
+        """Return exp, sin, … of a series, by their derivatives at its first term."""
         step = self.read(e.args[0], bound)
-        if step.first < 1:
-            raise UnreadError(f"{e} does not tend to {e.op}(0)")
-        total, size, n = Series({}, step.known), self.constant(1), 0
+        if step.known < 1:
+            return Series({}, 0)
+        if step.first < 0:
+            raise UnreadError(f"the argument of {e} does not tend to a point")
+        base = step.terms.get(0, _ring().constant(0))
+        step = Series({n: c for n, c in step.terms.items() if n}, step.known)
+        name, first = _DERIVATIVES.get(e.op, (e.op, 0))
+        total, size, n = Series({}, step.known), self.constant(1).upto(step.known), 0
         while size.terms:
-            total += size.times(fmpq(_TAYLOR[e.op][n % 4], 1))
+            if base.is_zero():
+                total += size.times(fmpq(_TAYLOR[e.op][n % 4], 1))
+            else:
+                total += size.times(self._derivative_at(name, (first + n,), (base,)))
             n += 1
             size = (size * step).upto(step.known).times(fmpq(1, n))
         return total
@@ -546,6 +601,12 @@ class Jets:
 
     def meaning(self, which: Variable) -> Expr:
         """Return what a variable of the coefficients stands for."""
+        if which in self.divisors:
+            return power(self.expression(self.divisors[which]), number(-1))
+        if which.name in PERIODIC:
+            names = {name: key for key, name in _DERIVATIVES.items()}
+            op = names[which.name, 1] if which.orders[0] else which.name
+            return apply(op, *self.place(which))
         if which.orders:
             return unknown(which.name, self.place(which), which.orders)
         return self.constants.get(which.name) or symbol(which.name)
@@ -572,6 +633,8 @@ class Jets:
         """Return the variables of a coefficient and of the points at which it is taken."""
         found = dict.fromkeys(self.used(p))
         for which in list(found):
+            if which in self.divisors:
+                found |= dict.fromkeys(self.behind(self.divisors[which]))
             for b in self.bases.get(which, ()):
                 found |= dict.fromkeys(self.behind(b))
         return list(found)
@@ -589,6 +652,11 @@ class Jets:
         return solved and not free & set(rule.names) and all(n <= 1 for n in degrees)
 
 
+def _degree(c: Polynomial, k: int) -> int:
+    """Return the degree in a variable."""
+    return max((int(powers[k]) for powers in c.monoms()), default=0)
+
+
 def _square(e: Expr) -> fmpq | None:
     """Return the square of a square root of a number, or None."""
     if e.op != "^" or e.args[0].op != "number" or e.args[1].op != "number":
@@ -596,11 +664,9 @@ def _square(e: Expr) -> fmpq | None:
     return fmpq(e.args[0].args[0]) if e.args[1].args[0] == fmpq(1, 2) else None
 
 
-def _is_inverse(e: Expr) -> bool:
-    """Return whether a constant is 1/c for a parameter c."""
-    return e.op == "^" and e.args[0].op == "symbol"
-
-
+PERIODIC = {"exp": 0, "sin": -1, "sinh": 1}
+"""Functions whose second derivative is this multiple of them; 0 for the exponential function."""
+_DERIVATIVES = {"cos": ("sin", 1), "cosh": ("sinh", 1)}
 _TAYLOR = {
     "exp": (1, 1, 1, 1),
     "sin": (0, 1, 0, -1),

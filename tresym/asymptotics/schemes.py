@@ -22,7 +22,7 @@ from math import factorial, prod
 
 from flint import arb, fmpq
 
-from tresym.asymptotics.jets import Jets, Polynomial, Series, UnreadError, Variable
+from tresym.asymptotics.jets import PERIODIC, Jets, Polynomial, Series, UnreadError, Variable
 from tresym.asymptotics.systems_of_jets import SystemJets
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.readable_witnesses import constants_hold
@@ -165,7 +165,7 @@ def _proved(jets: Jets, scheme: Expr, least: int, most: int) -> str:
         if found.terms:
             error = f"the error is {_term(jets, found.terms[found.first], found.first)}"
             break
-    free = sorted({v.name for v in jets.variables if v.orders} - set(jets.rules))
+    free = sorted({v.name for v in jets.variables if v.orders} - set(jets.rules) - set(PERIODIC))
     trees = (scheme, *jets.equations.values(), *jets.definitions.values())
     who = [f"all smooth {', '.join(free)}"] if free else []
     who += [f"every solution {', '.join(sorted(jets.rules))}"] if jets.rules else []
@@ -173,7 +173,8 @@ def _proved(jets: Jets, scheme: Expr, least: int, most: int) -> str:
     fixed = sorted(frozenset().union(*map(symbols, trees)) - own)
     at = f" at each fixed {', '.join(fixed)}" if fixed else ""
     stages = ", with stages that stay bounded" if jets.implicit else ""
-    where = f"for {' and '.join(who) or 'all values'}{at}{stages}"
+    defined = " where the denominators are not 0" if jets.divisors else ""
+    where = f"for {' and '.join(who) or 'all values'}{at}{defined}{stages}"
     return f"{where}, by Taylor's theorem with remainder: {error}"
 
 
@@ -201,7 +202,8 @@ def _term(jets: Jets, coefficient: Polynomial, q: int) -> str:
     h = _power(symbol(jets.h), q)
     if len(coefficient) > SHOWN:
         return f"{h} times a polynomial of {len(coefficient)} terms in derivatives + …"
-    short = {v: _index_name(jets, v) for v in jets.used(coefficient) if not _is_plain(jets, v)}
+    used = [v for v in jets.behind(coefficient) if v.orders and v.name not in PERIODIC]
+    short = {v: _index_name(jets, v) for v in used if not _is_plain(jets, v)}
     known = {jets.meaning(v): symbol(name) for v, name in short.items()}
     shown = str(multiply(h, replaced(jets.expression(coefficient), known)))
     places = {f"{v.name} at ({', '.join(map(str, jets.place(v)))})": None for v in short}
@@ -229,24 +231,25 @@ class _Counterexample:
     @classmethod
     def of(cls, jets: Jets, lead: Polynomial, statement: Statement) -> _Counterexample | None:
         """Return a counterexample that satisfies the conditions, or None."""
-        behind = list(dict.fromkeys((*jets.behind(lead), *jets.divisors)))
+        used = [v for p in (lead, *jets.divisors.values()) for v in jets.behind(p)]
+        known = {*jets.divisors, *(Variable(name) for name in jets.constants)}
+        behind = [v for v in dict.fromkeys(used) if v not in known and v.name not in PERIODIC]
         said = statement.given.names - {jets.h}
         if not _are_independent(jets, behind) or said & set(jets.equations):
             return None
         behind += [Variable(name) for name in sorted(said - {v.name for v in behind})]
         terms = [[k for k, n in enumerate(m) if n] for m in lead.monoms()]
         chosen_terms = min(terms, key=len)
-        needed = [
-            jets.variables[k] for k in chosen_terms if jets.variables[k].name not in jets.constants
-        ]
-        free = [v for v in behind if v.name not in jets.constants]
+        wanted = [jets.variables[k] for k in chosen_terms]
+        wanted += [v for p in jets.divisors.values() for v in jets.behind(p)]
+        needed = [v for v in dict.fromkeys(wanted) if v in behind]
         inside: list[dict[Variable, Fraction]] = [{}]
         if said:
             with ball_precision():
                 points = list(statement.given.points(sorted(said), POINTS))
             inside += [{Variable(x): _fraction(value) for x, value in p.items()} for p in points]
         tried = (
-            {v: Fraction(0 if v.orders else rest) for v in free}
+            {v: Fraction(0 if any(v.orders) else rest) for v in behind}
             | dict(zip(needed, map(Fraction, chosen), strict=True))
             | point
             for point in inside
@@ -261,8 +264,7 @@ class _Counterexample:
 
     def differs(self, lead: Polynomial) -> bool:
         """Return whether a coefficient is not zero here."""
-        at = {v.name: number(n) for v, n in self.values.items() if not v.orders}
-        values = (self._at(lead), *(substitute(symbol(v.name), at) for v in self.jets.divisors))
+        values = map(self._at, (lead, *self.jets.divisors.values()))
         return all(_holds((value, "!=", ZERO)) for value in values)
 
     def __str__(self) -> str:
@@ -303,7 +305,8 @@ class _Counterexample:
             if v in self.values
         }
         at = {v.name: number(n) for v, n in self.values.items() if not v.orders}
-        return substitute(self.jets.expression(p.subs(numbers)), at)
+        known = {self.jets.meaning(v): number(n) for v, n in self.values.items() if v.orders}
+        return substitute(replaced(self.jets.expression(p.subs(numbers)), known), at)
 
 
 def _fraction(value: arb | fmpq) -> Fraction:

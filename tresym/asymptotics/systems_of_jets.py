@@ -14,7 +14,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from tresym.asymptotics.jets import Equation, Jets, Polynomial, Series, UnreadError, Variable
+from tresym.asymptotics.jets import (
+    PERIODIC,
+    Equation,
+    Jets,
+    Polynomial,
+    Series,
+    UnreadError,
+    Variable,
+)
 from tresym.reals.language.expression import Expr
 
 
@@ -27,7 +35,7 @@ class SystemJets(Jets):
 
     def _degrees(self, p: Polynomial) -> set[int]:
         """Return of how many vectors the terms of a coefficient are products."""
-        vectors = [k for k, v in enumerate(self.variables) if v.orders]
+        vectors = [k for k, v in enumerate(self.variables) if v.orders and v.name not in PERIODIC]
         return {sum(int(m[k]) for k in vectors) for m in p.monoms()}
 
     def is_vector(self, series: Series) -> bool:
@@ -78,7 +86,7 @@ class SystemJets(Jets):
     ) -> Polynomial:
         """Return a derivative of a function, applied to each product of vectors."""
         ring = branches.context()
-        vectors = [k for k, v in enumerate(self.variables) if v.orders]
+        vectors = [k for k, v in enumerate(self.variables) if v.orders and v.name not in PERIODIC]
         total = ring.constant(0)
         for exponents, c in branches.terms():
             own: list[Any] = [0] * len(exponents)
