@@ -149,9 +149,19 @@ def _harmonic(e: Expr) -> Expr | None:
 
 
 def _has_jets(left: Expr, right: Expr, answer: Answer, path: Path) -> bool:
-    """Whether the sides are analytic functions near a finite end, with integrals and roots."""
-    kinds = {node.op for node in outermost(left, right)}
-    return bool(answer) and path.point is not None and kinds <= {"integral", "root"}
+    """Whether the sides are analytic functions near a finite end, with integrals and roots.
+
+    Over an infinite range the search has never ended in its time.
+    """
+    nodes = list(outermost(left, right))
+    proper = not any(INFINITY.args[0] in symbols(end) for node in nodes for end in _limits(node))
+    kinds = {node.op for node in nodes}
+    return bool(answer) and path.point is not None and proper and kinds <= {"integral", "root"}
+
+
+def _limits(node: Expr) -> tuple[Expr, ...]:
+    """The ends of an integral; none of another operator."""
+    return node.args[1:3] if node.op == "integral" else ()
 
 
 def _is_sharp(answer: Answer) -> bool:
