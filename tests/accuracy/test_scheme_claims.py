@@ -8,6 +8,7 @@ import pytest
 
 import tresym
 from tresym.accuracy.scheme_claims import rooted_trees
+from tresym.checking.dispatch import decide_claim
 
 HEUN3 = ([[], ["1/3"], [0, "2/3"]], ["1/4", 0, "3/4"])
 RADAU = ([["5/12", "-1/12"], ["3/4", "1/4"]], ["3/4", "1/4"])
@@ -27,16 +28,16 @@ SCALAR = ([[], ["1/3"], [1, "-1/3"], [-7, 11, -3]], ["1/8", "3/8", "3/8", "1/8"]
     ],
 )
 def test_true_and_false_orders(method: dict[str, Any], order: int) -> None:
-    assert all(map(tresym.check, tresym.scheme_claims(**method, order=order)))
-    verdicts = {tresym.check(c).verdict for c in tresym.scheme_claims(**method, order=order + 1)}
+    assert all(map(decide_claim, tresym.scheme_claims(**method, order=order)))
+    verdicts = {decide_claim(c).verdict for c in tresym.scheme_claims(**method, order=order + 1)}
     assert tresym.Verdict.REFUTED in verdicts
     assert verdicts <= {tresym.Verdict.REFUTED, tresym.Verdict.PROVED}
 
 
 def test_scalar_equations_may_have_a_higher_order() -> None:
     first, *conditions = tresym.scheme_claims(tableau=SCALAR, order=4, autonomous=True)
-    assert tresym.check(first)
-    assert sum(not tresym.check(claim) for claim in conditions) == 2
+    assert decide_claim(first)
+    assert sum(not decide_claim(claim) for claim in conditions) == 2
 
 
 def test_rooted_trees() -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import tresym
+from tresym.checking.dispatch import decide_claim
 
 LISTS = Path(__file__).parent.parent / "data" / "asymptotics"
 VERDICTS = {"true": "PROVED", "false": "REFUTED", "open": "UNDECIDED"}
@@ -21,7 +22,7 @@ LINES = [
 @pytest.mark.parametrize("line", LINES)
 def test_scheme(line: str) -> None:
     truth, claim = line.split(maxsplit=1)
-    assert tresym.check(claim).verdict.value == VERDICTS[truth]
+    assert decide_claim(claim).verdict.value == VERDICTS[truth]
 
 
 def test_leading_error_and_true_order() -> None:
