@@ -15,10 +15,9 @@ from dataclasses import replace
 from typing import Any
 
 from sympy import Mul, Pow
-from tresym.proofs import sweeps
+from tresym.proofs import on_the_separatrix, sweeps
 from tresym.proofs.conditions import shape
 from tresym.proofs.exponent import arctangent_above
-from tresym.proofs.on_the_separatrix import angle_below_tangent, hyperbolic_sine_at_most
 from tresym.proofs.separatrix import defect_range, flip_defect
 
 from tresym.ledger.evidence.chart_bounds import Reading
@@ -769,10 +768,12 @@ hyperbolic_sine_rises = Claim(
 _rises = Instance(hyperbolic_sine_rises, ((T, _soon), (x, _late - _soon)), (phase_range,))
 sine_of_the_time = Claim(says=_rises.says, given=shape, proof=_rises)
 
-_small = Instance(hyperbolic_sine_at_most, ((k, sqrt(a * b)),))
+_small = Instance(on_the_separatrix.hyperbolic_sine_at_most, ((k, sqrt(a * b)),))
 sine_of_the_late = Claim(says=_small.says, given=_bounded, proof=_small)
 
-_below = Instance(angle_below_tangent, ((epsilon, epsilon0),), (flip_defect, defect_range))
+_below = Instance(
+    on_the_separatrix.angle_below_tangent, ((epsilon, epsilon0),), (flip_defect, defect_range)
+)
 defect_below_tangent = Claim(says=_below.says, given=shape, proof=_below)
 
 b_to_zero = Claim(

@@ -11,11 +11,10 @@
 
 from __future__ import annotations
 
-from tresym.proofs import phase_portraits, regimes
+from tresym.proofs import on_the_separatrix, phase_portraits, regimes
 from tresym.proofs.conditions import defect, shape_of_a_body, standard_racket
 from tresym.proofs.flip_definition import symmetric_is_extreme
 from tresym.proofs.numbers_in_text import lower_level, upper_level_exact
-from tresym.proofs.on_the_separatrix import level_of_a_start
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -65,7 +64,7 @@ fast_starts_flip = _of_starts("fast_starts_flip", "-1/10", "3/20", "3/10")
 slow_starts_flip = _of_starts("slow_starts_flip", "-1/20", "1/10", "3/20")
 
 two_rectangles = Claim(
-    **jointly(fast_starts_flip, slow_starts_flip, level_of_a_start),
+    **jointly(fast_starts_flip, slow_starts_flip, on_the_separatrix.level_of_a_start),
 )
 
 _width, _height, _area = (Symbol(name, real=True) for name in "whA")
@@ -103,7 +102,9 @@ near_flip_likely = Claim(
         evaluate=False,
     ),
     given=standard_racket,
-    proof=Evaluated((faster_at_higher_level, level_grows_with_the_rate, level_of_a_start)),
+    proof=Evaluated(
+        (faster_at_higher_level, level_grows_with_the_rate, on_the_separatrix.level_of_a_start)
+    ),
     where=line(283),
     expect=Verdict.REFUTED,
     amended_by=(likely_near,),
