@@ -93,6 +93,12 @@ def test_a_docstring_names_no_theorem_that_no_claim_lists() -> None:
                     assert unnamed(text, (*QUOTED, *RULES), frozenset(CLAIMS)) == [], (path, text)
 
 
+def test_the_prose_of_a_file_names_no_theorem_that_no_claim_lists() -> None:
+    for path in ROOT.glob("proofs/*.tresym"):
+        text = path.read_text(encoding="utf-8")
+        assert unnamed(text, (*QUOTED, *RULES), frozenset(CLAIMS)) == [], path
+
+
 @pytest.mark.parametrize(
     "note",
     cases(__file__, "a_theorem_that_is_not_listed_is_found"),

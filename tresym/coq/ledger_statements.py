@@ -35,17 +35,14 @@ from tresym.coq.theorem_trees import Part, defined
 from tresym.ledger.claim import (
     AllOf,
     Claim,
-    Conservation,
     Counterexample,
     Definition,
     Dominated,
     Follows,
     FromSlope,
     FromTheEdge,
-    Growing,
     ImplicitFunction,
     InfimumBy,
-    Lyapunov,
     MonotoneOf,
     Printed,
     Root,
@@ -73,10 +70,7 @@ from tresym.reals.language.formula import Conjunction, Equivalence, Relation
 from tresym.reals.numbers.exact import InputError, printed
 from tresym.reals.verdict import Verdict
 
-DEDUCED = (
-    *(Follows, RootMonotone, MonotoneOf, FromSlope, FromTheEdge, InfimumBy, Dominated),
-    *(Conservation, Lyapunov, Growing),
-)
+DEDUCED = (*(Follows, RootMonotone, MonotoneOf, FromSlope, FromTheEdge, InfimumBy, Dominated),)
 """Evidence whose last step has no statement in Coq yet; the claims that it names may have."""
 
 

@@ -468,44 +468,6 @@ class Dominated:
 
 
 @dataclass(frozen=True)
-class Conservation:
-    """Evidence that an expression is conserved: its derivative along the system is 0."""
-
-    derivative: Chain = ()
-    """A chain from the derivative to 0; () if its normal form is 0."""
-
-    @property
-    def chains(self) -> tuple[Chain, ...]:
-        """The chains of the evidence."""
-        return (self.derivative or by(),)
-
-
-@dataclass(frozen=True)
-class Lyapunov:
-    """Evidence for stability: a conserved function with a strict minimum at the equilibrium.
-
-    That ``function`` is conserved, that its gradient vanishes at the point and that its Hessian is
-    positive definite there (leading principal minors) is checked. Lyapunov's theorem is quoted.
-
-    Example: x² + v² is conserved by dx/dt = v, dv/dt = −x and has its minimum at (0, 0).
-    """
-
-    function: Expr
-
-
-@dataclass(frozen=True)
-class Growing:
-    """Evidence for instability: a positive eigenvalue of the linearised system.
-
-    That ``eigenvalue`` solves the characteristic equation at the point is checked, and that it is
-    positive. The theorem on instability by the first approximation is quoted.
-    """
-
-    eigenvalue: Expr
-    theories: tuple[Reason, ...] = ()
-
-
-@dataclass(frozen=True)
 class Formally:
     """Evidence for relations that are decided without a chain, by normal forms and proven signs.
 

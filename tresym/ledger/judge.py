@@ -25,7 +25,6 @@ from tresym.ledger.claim import (
     AllOf,
     Chain,
     Claim,
-    Conservation,
     Counterexample,
     Definition,
     Dominated,
@@ -33,11 +32,9 @@ from tresym.ledger.claim import (
     Formally,
     FromSlope,
     FromTheEdge,
-    Growing,
     ImplicitFunction,
     InfimumBy,
     Instance,
-    Lyapunov,
     Monotone,
     MonotoneOf,
     Printed,
@@ -84,7 +81,6 @@ from tresym.ledger.evidence.deductions import (
 from tresym.ledger.evidence.integrals import NotShownError, need, need_integrals, with_bounds
 from tresym.ledger.evidence.interval_evaluation import Evaluated, judge_evaluated
 from tresym.ledger.evidence.local_facts import by_facts, facts_of
-from tresym.ledger.evidence.motions import judge_conserved, judge_stable, judge_unstable
 from tresym.ledger.evidence.printed_numbers import judge_printed
 from tresym.ledger.evidence.refutation import Denied, denied_somewhere, judge_counterexample
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
@@ -116,7 +112,7 @@ Findings = Mapping[str, Finding]
 
 NEVER_ATTACKED = (
     *(Definition, Root, ImplicitFunction, AllOf, UniqueRoot, Monotone, Asymptotics),
-    *(Follows, RootMonotone, MonotoneOf, InfimumBy, Dominated, Conservation, Lyapunov, Growing),
+    *(Follows, RootMonotone, MonotoneOf, InfimumBy, Dominated),
 )
 """Evidence whose claims skip the independent check: a single point cannot contradict their
 statements, or (for conjunctions) the parts are checked one by one."""
@@ -288,12 +284,6 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
             return judge_infimum(claim, claim.proof)
         case Dominated():
             return judge_dominated(claim, claim.proof)
-        case Conservation():
-            return judge_conserved(claim, claim.proof)
-        case Lyapunov():
-            return judge_stable(claim, claim.proof)
-        case Growing():
-            return judge_unstable(claim, claim.proof)
         case Formally():
             return _judge_relations(claim)
         case Counterexample():

@@ -13,15 +13,15 @@ import sympy
 from flint import arb, fmpq
 from sympy import (
     Abs, Basic, Derivative, Equivalent, Expr, Function, Ge, Gt, ImmutableMatrix, Integer, Integral,
-    Le, Lt, Ne, Rational, Subs, Symbol, Tuple, acos, asin, asinh, atan, atanh, cos, cosh, det,
+    Le, Lt, Ne, Rational, Subs, Symbol, Tuple, acos, asin, asinh, atan, atanh, cos, cosh,
     diff, exp, eye, log, oo, pi, sin, sinh, sqrt, tan, tanh,
 )
 
 from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
-    Claim, Conservation, Counterexample, Definition, Dominated, Fault, FromSlope, FromTheEdge,
-    Growing, ImplicitFunction, InfimumBy, Instance, Lyapunov, Monotone, MonotoneOf, Place, Printed,
-    Reason, Root, RootBound, RootMonotone, UniqueRoot, all_of, at, by, display, equal, equations,
+    Claim, Counterexample, Definition, Dominated, Fault, FromSlope, FromTheEdge,
+    ImplicitFunction, InfimumBy, Instance, Monotone, MonotoneOf, Printed,
+    Root, RootBound, RootMonotone, UniqueRoot, all_of, at, by, display, equal, equations,
     follows, formally, in_words, jointly, label_claims, line, manifest, parts_of, step, together,
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics
@@ -37,24 +37,24 @@ from tresym.ledger.reasons import (
     multiplying, roots, substituting, trigonometry,
 )
 from tresym.ledger.statements import (
-    AtMostOne, Conserved, ExactlyOne, ForSome, Infimum, Rounds, StableEquilibrium,
-    StrictlyDecreasing, StrictlyIncreasing, TheRoot, Under, UnstableEquilibrium, order,
+    AtMostOne, ExactlyOne, Infimum, Rounds,
+    StrictlyDecreasing, StrictlyIncreasing, TheRoot, Under, order,
 )
 from tresym.reals.balls.branch_and_bound import Bound, box
 from tresym.reals.verdict import Verdict
 
 __all__ = [
     "Abs", "Asymptotics", "AtMostOne", "Basic", "Bound", "Boxes", "Charted", "Claim",
-    "Conservation", "Conserved", "Counterexample", "Decided", "Definition", "Denied", "Derivative",
-    "Dominated", "Equivalent", "Evaluated", "ExactlyOne", "Expr", "Fault", "ForSome", "FromSlope",
-    "FromTheEdge", "Function", "Ge", "Growing", "Gt", "ImmutableMatrix", "ImplicitFunction",
+    "Counterexample", "Decided", "Definition", "Denied", "Derivative",
+    "Dominated", "Equivalent", "Evaluated", "ExactlyOne", "Expr", "Fault", "FromSlope",
+    "FromTheEdge", "Function", "Ge", "Gt", "ImmutableMatrix", "ImplicitFunction",
     "InVariables", "Infimum", "InfimumBy", "Instance", "Integer", "Integral", "Le", "Lt",
-    "Lyapunov", "Meant", "Monotone", "MonotoneOf", "Ne", "On", "Place", "Printed", "Rational",
-    "Reading", "Reason", "Root", "RootBound", "RootMonotone", "Rounds", "Shown",
-    "StableEquilibrium", "StrictlyDecreasing", "StrictlyIncreasing", "Subs", "Symbol", "TheRoot",
-    "Tuple", "Under", "UniqueRoot", "UnstableEquilibrium", "Verdict", "acos", "adding", "algebra",
+    "Meant", "Monotone", "MonotoneOf", "Ne", "On", "Printed", "Rational",
+    "Reading", "Root", "RootBound", "RootMonotone", "Rounds", "Shown",
+    "StrictlyDecreasing", "StrictlyIncreasing", "Subs", "Symbol", "TheRoot",
+    "Tuple", "Under", "UniqueRoot", "Verdict", "acos", "adding", "algebra",
     "all_of", "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
-    "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "det", "diff",
+    "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "diff",
     "differentiating_integral", "differentiation", "display", "equal", "equations", "evaluating",
     "exp", "exponentials", "eye", "fmpq", "follows", "formally", "in_words", "integrating",
     "inverses", "jointly", "label_claims", "line", "log", "manifest", "multiplying", "oo", "order",

@@ -19,7 +19,6 @@ from sympy.core.relational import Equality, Relational
 from tresym.ledger.claim import (
     AllOf,
     Claim,
-    Conservation,
     Counterexample,
     Definition,
     Dominated,
@@ -27,11 +26,9 @@ from tresym.ledger.claim import (
     Formally,
     FromSlope,
     FromTheEdge,
-    Growing,
     ImplicitFunction,
     InfimumBy,
     Instance,
-    Lyapunov,
     Monotone,
     MonotoneOf,
     Printed,
@@ -75,14 +72,14 @@ DECIDING = (
     *(tuple, Together, UniqueRoot, Monotone, Printed, Formally, Counterexample),
     *(Asymptotics, Charted, Evaluated, Boxes),
     *(RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge, InfimumBy, Dominated),
-    *(Conservation, Lyapunov, Growing, Follows, Decided),
+    *(Follows, Decided),
 )
 """Evidence that decides the formula in ``means``, also if ``says`` is different."""
 KINDS = (
     *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction),
     *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Denied, Evaluated),
     *(Monotone, Follows, RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge),
-    *(InfimumBy, Dominated, Conservation, Lyapunov, Growing, Decided),
+    *(InfimumBy, Dominated, Decided),
 )
 """All accepted types of evidence. Subclasses are not accepted: they could judge themselves."""
 

@@ -50,7 +50,7 @@ from tresym.ledger.evidence.box_bounds import decimal
 from tresym.ledger.evidence.chain import instantiated
 from tresym.ledger.evidence.integrals import need, with_bounds
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
-from tresym.ledger.evidence.whole_statements import whole_claim
+from tresym.ledger.evidence.whole_statements import bound_by, whole_claim
 from tresym.ledger.finding import WEAKEST_FIRST, Finding, Ruling, StepFinding
 from tresym.ledger.reasons import citing
 from tresym.ledger.refutations import need_possible
@@ -204,6 +204,8 @@ def _whole(claim: Claim, proof: Decided, says: Basic, rules: Rules, given: Condi
     links = [link for part in parts for link in (*comparisons_of(part), *part.given)]
     names = frozenset().union(*(symbols(side) for link in links for side in link[::2]))
     open_ = sorted(names & _open_symbols(claim, rules))
+    bound = {name for part in parts for name in bound_by(part)} & defined(claim)
+    need(not bound, f"{', '.join(sorted(bound))} is defined, so it is no variable of a statement")
     moving = any(not isinstance(part, Written) for part in parts)
     need(
         not (open_ and moving),

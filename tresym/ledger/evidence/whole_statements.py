@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from sympy import Basic, Tuple
+from sympy import Basic, Symbol, Tuple
 from sympy.core.relational import Relational
 
 from tresym.ledger.conversion import Conditions, formula
@@ -35,6 +35,7 @@ from tresym.reals.language.compound import (
     Count,
     Equivalent,
     Formula,
+    Leaf,
     Shape,
     Somewhere,
     Together,
@@ -60,6 +61,13 @@ def whole_claim(says: Basic, put: Callable[[Basic], Expr], given: Conditions) ->
     """
     links = tuple((c.left, c.sign, c.right) for c in given)
     return Compound(_Statement(put).formula(says, links), links, text=str(says))
+
+
+def bound_by(part: Leaf) -> tuple[str, ...]:
+    """Return the variables that a part of a claim moves or counts."""
+    if isinstance(part, Count | Shape):
+        return (part.name,)
+    return () if isinstance(part, Written | Somewhere) else part.names
 
 
 class _Statement:
@@ -107,12 +115,16 @@ class _Statement:
         if isinstance(says, Conserved) or kind in _EQUILIBRIA:
             names = tuple(map(str, vectors[0].args))
             rates = tuple(map(self.put, vectors[1].args))
+            plain = all(isinstance(x, Symbol) for x in vectors[0].args)
+            once = len({*names}) == len(names) == len(rates) > 0
+            need(plain and once, "a system of equations needs one rate for each variable")
             if isinstance(says, Conserved):
                 function = self.put(says.args[0])
                 self._need_defined((function, *rates), given)
                 return named_claims.Conserved(function, names, rates, given)
             self._need_defined(rates, given)
             point = tuple(map(self.put, vectors[2].args))
+            need(len(point) == len(names), "each variable needs one coordinate")
             how = _EQUILIBRIA[kind]
             return named_claims.Equilibrium(how, names, point, rates, None, given)
         need(False, f"{kind.__name__} is not a statement that the engine decides")

@@ -55,9 +55,6 @@ _EVIDENCE = {
     "FromTheEdge": "the same bound at one value, and an earlier claim on monotone dependence",
     "InfimumBy": "a bound, and points at which it is approached",
     "Dominated": "a bound that depends on the variable of the limit alone",
-    "Conservation": "the derivative along the system, which is 0",
-    "Lyapunov": "a conserved function with a strict minimum at the point",
-    "Growing": "a positive eigenvalue of the linearised system",
 }
 """The kind of evidence, by the type of a claim's proof; pages put "By" in front of it."""
 
