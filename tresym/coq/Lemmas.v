@@ -137,3 +137,48 @@ Proof.
   { rewrite <- exp_plus; replace (- k * t + k * t) with 0 by ring; apply exp_0. }
   apply (Rmult_le_compat_r (exp (k * t))) in M; [| lra]; rewrite Rmult_assoc, Q in M; lra.
 Qed.
+Lemma sum_near (f F : R -> R) (low : nat) : (forall y, INR low <= y -> is_derive F y (f y)) ->
+  (forall x y, INR low <= x -> x <= y -> f y <= f x) \/ (forall x y, INR low <= x -> x <= y -> f x <= f y) ->
+  forall n m, (low + n)%nat = m ->
+  Rabs (terms (fun k => f (INR k)) low (S n) - (F (INR m) - F (INR low))) <= Rabs (f (INR low)) + Rabs (f (INR m)).
+Proof.
+  intros D M n m <-; pose proof (Rle_abs (f (INR low))); pose proof (Rle_abs (f (INR (low + n)))).
+  pose proof (Rabs_maj2 (f (INR low))); pose proof (Rabs_maj2 (f (INR (low + n)))).
+  apply Rabs_le; destruct M as [M | M].
+  - destruct (sum_falls f F low D M n); lra.
+  - destruct (sum_rises f F low D M n); lra.
+Qed.
+Section Sums.
+Implicit Types (s u v w g : nat -> R).
+Lemma O_sum s u v w g : eventually (fun n => Rabs (s n - u n) <= Rabs (v n) + Rabs (w n)) ->
+  (exists C, eventually (fun n => Rabs (v n) <= C * Rabs (g n))) ->
+  (exists C, eventually (fun n => Rabs (w n) <= C * Rabs (g n))) ->
+  (exists C, eventually (fun n => Rabs (u n) <= C * Rabs (g n))) ->
+  exists C, eventually (fun n => Rabs (s n) <= C * Rabs (g n)).
+Proof.
+  intros B [C1 V] [C2 W] [C3 U]; exists (C1 + C2 + C3).
+  generalize (filter_and _ _ B (filter_and _ _ V (filter_and _ _ W U))); apply filter_imp; intros n [H1 [H2 [H3 H4]]].
+  pose proof (Rabs_triang (s n - u n) (u n)) as H5; replace (s n - u n + u n) with (s n) in H5 by ring; lra.
+Qed.
+Lemma o_sum s u v w g : eventually (fun n => Rabs (s n - u n) <= Rabs (v n) + Rabs (w n)) ->
+  (forall eps, 0 < eps -> eventually (fun n => Rabs (v n) <= eps * Rabs (g n))) ->
+  (forall eps, 0 < eps -> eventually (fun n => Rabs (w n) <= eps * Rabs (g n))) ->
+  (forall eps, 0 < eps -> eventually (fun n => Rabs (u n) <= eps * Rabs (g n))) ->
+  forall eps, 0 < eps -> eventually (fun n => Rabs (s n) <= eps * Rabs (g n)).
+Proof.
+  intros B V W U eps E; assert (E3 : 0 < eps / 3) by lra.
+  generalize (filter_and _ _ B (filter_and _ _ (V _ E3) (filter_and _ _ (W _ E3) (U _ E3)))).
+  apply filter_imp; intros n [H1 [H2 [H3 H4]]].
+  pose proof (Rabs_triang (s n - u n) (u n)) as H5; replace (s n - u n + u n) with (s n) in H5 by ring; lra.
+Qed.
+Lemma O_none g : exists C, eventually (fun n => Rabs ((fun _ => 0) n) <= C * Rabs (g n)).
+Proof. exists 0; exists O; intros n _; rewrite Rabs_R0; lra. Qed.
+Lemma o_none g : forall eps, 0 < eps -> eventually (fun n => Rabs ((fun _ => 0) n) <= eps * Rabs (g n)).
+Proof.
+  intros eps E; exists O; intros n _; rewrite Rabs_R0; apply Rmult_le_pos; [lra | apply Rabs_pos].
+Qed.
+End Sums.
+Ltac sum_equal := first [ring | rewrite ?ln_1, ?sqrt_1; first [ring | field; inside_] | field; inside_].
+Ltac sum_defined := first
+  [ intros; whole_numbers; repeat split; nonzero_whole
+  | exists 1%nat; intros; whole_numbers; repeat split; nonzero_whole ].

@@ -17,6 +17,7 @@ from tresym.coq.bound_statements import (
     ends_of,
     natural_parts,
     naturally,
+    sums_in,
 )
 from tresym.coq.claim_export import theorem
 from tresym.coq.constant_proofs import constant_proofs
@@ -24,6 +25,7 @@ from tresym.coq.equations import exchanged, nodes
 from tresym.coq.limit_proofs import Limits, StuckLimitError
 from tresym.coq.order_proofs import path_proofs
 from tresym.coq.statement import ATOM, Theorem, term, variable
+from tresym.coq.sum_proofs import sum_proofs
 from tresym.coq.theorem_trees import inside
 from tresym.reals.decisions.antiderivatives import suggested
 from tresym.reals.expansions.limit_values import limit_of
@@ -58,6 +60,9 @@ def bound_proofs(theorem: BoundTheorem, prove: Prove) -> Iterator[str]:
         return
     if theorem.bounded is not None:
         yield from constant_proofs(theorem, _intros(theorem), prove)
+        return
+    if theorem.statement.path is not None and sums_in(claim.left):
+        yield from sum_proofs(theorem, _intros(theorem), prove)
         return
     if theorem.statement.path is not None:
         yield from path_proofs(theorem, _intros(theorem))

@@ -8,7 +8,8 @@ parameters alone, which are premises. Integer variables are natural numbers.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import re
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -375,18 +376,64 @@ def _nodes(expressions: Iterable[Expr]) -> Iterator[Expr]:
             yield from _nodes(arg for arg in e.args if isinstance(arg, Expr))
 
 
+def sums_in(e: Expr) -> list[Expr]:
+    """Return the sums in an expression, each once."""
+    return [node for node in dict.fromkeys(outermost(e)) if node.op == "sum"]
+
+
+def sides_of(theorem: BoundTheorem) -> tuple[str, str]:
+    """Return the two sides of an order of sequences as Coq text."""
+    whole = {theorem.statement.path.name} if theorem.statement.path is not None else set()
+    sides = theorem.claim.left, theorem.claim.right
+    nodes = [node for node in dict.fromkeys(outermost(*sides)) if node.op != "unknown"]
+    numbers = {node: symbol(fresh(f"sum{i}", symbols(sides[0]))) for i, node in enumerate(nodes)}
+    left, right = (
+        _with_sums(term(naturally(replaced(e, numbers), whole)), numbers, whole) for e in sides
+    )
+    return left, right
+
+
+def _with_sums(text: str, numbers: Mapping[Expr, Expr], whole: Iterable[str]) -> str:
+    """Return Coq text with sums in the place of their names."""
+    for node, name in numbers.items():
+        shown = f"({_sum(node, frozenset(whole))[0]})"
+        text = re.sub(rf"\b{re.escape(term(name))}\b", lambda _, s=shown: s, text)  # type: ignore[misc]
+    return text
+
+
+def _counted_from(node: Expr, name: str, whole: Iterable[str]) -> list[str]:
+    """Return that the terms of a sum up to the variable of a path are defined.
+
+    Raises:
+        NotExportedError: it is another sum, or an integral.
+    """
+    if node.op != "sum" or name not in whole or node.args[2] != symbol(name):
+        raise NotExportedError(
+            "a limit of integrals or sums of this kind is not exported to Coq yet"
+        )
+    (k,), body = inside(node)
+    if name in symbols(body) or node.args[1] not in (ZERO, ONE):
+        raise NotExportedError("a limit of such sums is not exported to Coq yet")
+    _sum(node, frozenset(whole))
+    parts = [condition(*p) for p in needs([naturally(body, {*whole, k})]) if k in symbols(p[0])]
+    low = f"({node.args[1]} <= {variable(k)})%nat"
+    return [f"forall {variable(k)} : nat, {low} -> {AND.join(parts)}"] if parts else []
+
+
 def _along(claim: Comparison, path: Path, whole: Iterable[str]) -> list[str]:
     """Return a limit or an order, and that both sides are defined near the end of the path."""
     sides = [claim.left] if claim.relation == LIMIT else [claim.left, claim.right]
-    if any(node.op != "unknown" for node in outermost(*sides)):
-        raise NotExportedError("a limit of integrals or sums cannot be exported to Coq yet")
     if claim.relation not in (*ORDERS, LIMIT):
         raise NotExportedError(f"{claim.relation} along a path cannot be exported to Coq yet")
     x, (where, kind) = variable(path.name), whole_filter(path, whole)
-    sides = [naturally(e, whole) for e in sides]
+    nodes = [node for node in dict.fromkeys(outermost(*sides)) if node.op != "unknown"]
+    terms_said = [said for node in nodes for said in _counted_from(node, path.name, whole)]
+    numbers = {node: symbol(fresh(f"sum{i}", symbols(sides[0]))) for i, node in enumerate(nodes)}
+    sides = [naturally(replaced(e, numbers), whole) for e in sides]
     parts = [condition(*p) for p in needs(sides) if path.name in symbols(p[0])]
     said = [f"{where} (fun {x} : {kind} => {AND.join(parts)})"] if parts else []
-    f, *g = map(term, sides)
+    said = [*terms_said, *said]
+    f, *g = (_with_sums(term(e), numbers, whole) for e in sides)
     if not g:
         tends = f"filterlim (fun {x} : {kind} => {f}) {where} "
         return [*said, f"{tends}(Rbar_locally {extended(claim.right)})"]

@@ -15,7 +15,7 @@ from importlib.resources import files
 
 from tresym.coq.allowed_axioms import assumptions
 from tresym.coq.bound_proofs import Prove, bound_proofs, no_search
-from tresym.coq.bound_statements import BoundTheorem
+from tresym.coq.bound_statements import BoundTheorem, sums_in
 from tresym.coq.checked_proofs import by_machine
 from tresym.coq.coqtop import (
     HEAD,
@@ -147,7 +147,8 @@ def bound(theorems: Iterable[Theorem | BoundTheorem]) -> str:
     roots = any(isinstance(t, Theorem) and has_residual(t) for t in found)
     names = ["Bound.v"] if bounds or roots else []
     names += ["Orders.v"] if any(theorem.statement.path for theorem in bounds) else []
-    names += ["Lemmas.v"] if roots else []
+    sums = any(sums_in(t.claim.left) for t in bounds if t.statement.path is not None)
+    names += ["Lemmas.v"] if roots or sums else []
     texts = (files("tresym.coq").joinpath(name).read_text(encoding="utf-8") for name in names)
     return "\n".join(texts)
 

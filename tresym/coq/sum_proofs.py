@@ -1,0 +1,152 @@
+"""Prove orders of sums in Coq by comparison with the integral, for terms that rise or fall.
+
+With F' = f, |f(1) + ... + f(n) - (F(n) - F(1))| <= |f(1)| + |f(n)|. So
+`sum(1/k, k, 1, n) == log(n) + O(1)` follows from orders of 1, 1/n and log(n) - log(1) - log(n).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+from tresym.coq.bound_statements import BoundTheorem, naturally, sides_of, sums_in
+from tresym.coq.claim_export import theorem as plain_theorem
+from tresym.coq.constant_proofs import tidied
+from tresym.coq.expansion_proofs import LENGTHS, NoExpansionError, folded
+from tresym.coq.order_proofs import Along
+from tresym.coq.statement import Theorem, term, variable
+from tresym.coq.theorem_trees import inside
+from tresym.reals.decisions.antiderivatives import suggested
+from tresym.reals.language.comparisons import Comparison, Derivative
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    fresh,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.numbers.exact import InputError
+
+Prove = Callable[[Theorem], "str | None"]
+
+
+def sum_proofs(theorem: BoundTheorem, head: str, prove: Prove) -> Iterator[str]:
+    """Yield proofs that a sum is O, o or ~ of a function, or differs from one by it.
+
+    Args:
+        theorem: the theorem.
+        head: the sentence that introduces its variables and premises.
+        prove: a prover of relations between real numbers; None if it finds no proof.
+    """
+    claim, path = theorem.claim, theorem.statement.path
+    assert path is not None
+    (node, *more) = sums_in(claim.left)
+    if more or sums_in(claim.right) or claim.relation not in ("O", "o", "~"):
+        return
+    given = theorem.statement.given
+    (k,), body = inside(node)
+    n, low = path.name, node.args[1]
+    v, f = variable(n), substitute(body, {k: symbol(path.name)})
+    rest = replaced(claim.left, {node: ZERO}) - (claim.right if claim.relation == "~" else ZERO)
+    law = "O_sum" if claim.relation == "O" else "o_sum"
+    for whole in suggested(f, n, frozenset({n})):
+        lemmas = _lemmas(f, whole, n, low, given.comparisons, prove)
+        if lemmas is None:
+            continue
+        main = tidied(folded(whole - substitute(whole, {n: low}) + rest))
+        main = ZERO if normal_form(main, given) == ZERO else main
+        bounds = (main, folded(substitute(f, {n: low})), f)
+        orders = [_order(theorem, e, law[0]) for e in (bounds[1], bounds[2], bounds[0])]
+        if None in orders:
+            continue
+        shown = [f"(fun {v} : nat => {term(naturally(e, {n}))})" for e in (*bounds, claim.right)]
+        left, right = sides_of(theorem)
+        s = (
+            f"(fun {v} : nat => {left} - ({right}))"
+            if claim.relation == "~"
+            else (f"(fun {v} : nat => {left})")
+        )
+        count = f"({v} - 1)" if low != ZERO else v
+        near = (
+            f"exists 1%nat; intros {v} N; cbv beta; assert (0 < INR {v}) by (apply lt_0_INR; lia); "
+            f"pose proof (sum_near _ _ {term(low)} slope_ mono_ {count}%nat {v} ltac:(lia)) as B; "
+            f"cbn [INR] in B; cbv beta in B; "
+            f"replace (S {count}) with ({v}{' + 1' if low == ZERO else ''})%nat in B by lia; "
+            "eapply Rle_trans; [right; apply f_equal | eapply Rle_trans; "
+            "[exact B | right; apply f_equal2; apply f_equal]]; sum_equal."
+        )
+        steps = "".join(f"\n{{ {script} }}" for script in (near, *map(str, orders)))
+        last = f"apply ({law} {s} {' '.join(shown)}).{steps}"
+        split = "".join(f"split.\n{{ {script} }}\n" for script in _defined(theorem))
+        yield f"{lemmas}\n{head}{split}{last}"
+
+
+def _lemmas(
+    f: Expr,
+    whole: Expr,
+    n: str,
+    low: Expr,
+    given: tuple[tuple[Expr, str, Expr], ...],
+    prove: Prove,
+) -> str | None:
+    """Return the proofs that ``whole`` has the derivative f, and that f falls or rises."""
+    x = symbol(n)
+    derived = differentiate(whole, n)
+    named = Comparison(derived, "==", f, (Derivative(whole, n, 1, derived),))
+    later = symbol(fresh("later", {n, *symbols(f)}))
+    region = (*given, (x, ">=", low))
+    ways = [
+        ("left", Comparison(substitute(f, {n: later}), "<=", f)),
+        ("right", Comparison(f, "<=", substitute(f, {n: later}))),
+    ]
+    slope = plain_theorem(named, region, "slope")
+    script = prove(slope)
+    if script is None:
+        return None
+    functions = [f"(fun {variable(n)} : R => {term(e)})" for e in (f, whole)]
+    at = term(low)
+    for side, way in ways:
+        mono = plain_theorem(way, (*region, (later, ">=", x)), "mono")
+        found = prove(mono)
+        if found is None:
+            continue
+        a, b = ("y", "x") if side == "left" else ("x", "y")
+        return (
+            f"assert (slope : {slope.body.strip()}).\n{{ {script} }}\n"
+            f"assert (mono : {mono.body.strip()}).\n{{ {found} }}\n"
+            f"assert (slope_ : forall y, INR {at} <= y -> is_derive {functions[1]} y "
+            f"({functions[0]} y)).\n"
+            "{ intros y Y; cbn [INR] in Y; cbv beta; apply slope; inside_. }\n"
+            f"assert (rises : forall x y, INR {at} <= x -> x <= y -> "
+            f"{functions[0]} {a} <= {functions[0]} {b}).\n"
+            "{ intros x y X Y; cbn [INR] in X; cbv beta; apply mono; inside_. }\n"
+            f"pose proof (or_{'introl' if side == 'left' else 'intror'} rises : "
+            f"(forall x y, INR {at} <= x -> x <= y -> {functions[0]} y <= {functions[0]} x) \\/ "
+            f"(forall x y, INR {at} <= x -> x <= y -> {functions[0]} x <= {functions[0]} y)) "
+            "as mono_."
+        )
+    return None
+
+
+def _order(theorem: BoundTheorem, e: Expr, relation: str) -> str | None:
+    """Return the proof that a function without a sum is O or o of the right side."""
+    if e == ZERO:
+        return f"apply {relation}_none."
+    claim = replace(theorem.claim, left=e, relation=relation)
+    part = replace(theorem, claim=claim, says=("eventually",))
+    for way in (Along(part, ""), Along(part, "", squared=True)):
+        for order in LENGTHS:
+            try:
+                return way.by_expansions(order)
+            except (NoExpansionError, InputError):
+                continue
+    return next(Along(part, "", squared=True).by_parts("1"), None)
+
+
+def _defined(theorem: BoundTheorem) -> list[str]:
+    """Return the proofs that parts of the claim are defined."""
+    return ["sum_defined."] * (len(theorem.says) - 1)
