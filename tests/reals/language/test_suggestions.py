@@ -36,6 +36,10 @@ KNOWN = FUNCTIONS | {"sqrt"}
         ("x; y", "commas"),
         ("x && y", "commas"),
         ("x -> 0", "as"),
+        ("f == O(x) as x ->", "has no end"),
+        ("exp(x) approx 1", "<= 0.005"),
+        ("x +", "after its last sign"),
+        ("not x", "contrary"),
         ("[x]", "parentheses"),
         ("lambda + 1", "lambda_"),
         ("(x", "character 1 is not closed"),
@@ -70,3 +74,27 @@ def test_functions_that_are_not_known(name: str, keyword: str) -> None:
 
 def test_a_function_without_its_argument() -> None:
     assert "sin(x)" in about_name("sin")
+
+
+SUGGESTED = [
+    ("x*y > 0 given x > 0 y > 0", "x*y > 0 given x > 0, y > 0"),
+    ("exp(x) approx 1 + x", "abs(exp(x) - (1 + x)) <= 0.005 given abs(x) <= 0.05"),
+    ("max(x) > 0", "max(x, 1) > 0"),
+    ("int(x**2, 0, 1) == 1/3", "integral(x**2, x, 0, 1) == 1/3"),
+    ("erfinv(x) > 0 given x > 0", "y > 0 given erf(y) == x, x > 0"),
+    ("1 > oo", "x -> oo as x -> oo"),
+    ("K natural", "n > 0 given n integer, n >= 1"),
+    ("x!! > 0", "factorial(factorial(n)) > 0 given n integer, n > 0"),
+    ("tan^-1(x) < 2", "atan(x) < 2"),
+    ("lambda > 0", "lambda_ > 0"),
+]
+"""What is refused, and what its message advises, filled in for the example."""
+
+
+@pytest.mark.parametrize(("wrong", "right"), SUGGESTED)
+def test_what_is_advised_can_be_read(wrong: str, right: str) -> None:
+    import tresym
+
+    with pytest.raises(tresym.InputError):
+        tresym.check(wrong)
+    assert tresym.check(right, limit=1).verdict

@@ -117,6 +117,8 @@ def call(name: str, values: list[Expr]) -> Expr:
         return apply("log", values[0]) / apply("log", values[1])
     if name in _FOLDED and len(values) > 1:
         return extreme(_FOLDED[name], values)
+    if name in _FOLDED:
+        raise InputError(f"{name} takes two or more arguments: write {name}(a, b)")
     if name == "ceil":
         name = "ceiling"
     if name == FACTORIAL and given == 1 and (n := _left_over(values[0])) is not None:

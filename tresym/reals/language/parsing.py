@@ -308,7 +308,9 @@ class _Reader:
         """Return the name of a bound variable or of a variable of differentiation."""
         e = self._read(node)
         if e.op != "symbol":
-            raise InputError(f"{e} is not a variable")
+            raise InputError(
+                f"{e} is not a variable: write the variable second, as in integral(f, x, a, b)"
+            )
         return str(e.args[0])
 
     def _whole(self, node: ast.expr, allowed: range, expected: str) -> int:

@@ -61,6 +61,12 @@ def spell_product(typed: Typed) -> str:
             text = f"{text}{sign}{last}"
             slash = slash if sign == "/" else ""
         elif typed.starts_factor():
+            after = typed.tokens[typed.at + 1 : typed.at + 2]
+            compares = bool(after) and after[0].text[:1] in ("<", ">", "=", "≤", "≥")
+            if last in ("0", "1") and typed.peek().spaced and compares:  # as in x > 0 y > 0
+                raise InputError(
+                    f"a comma or a sign is missing between {last} and {typed.peek().text}"
+                )
             factor = spell_power(typed)
             if slash:
                 raise two(f"({slash}/{last})*{factor}", f"{slash}/({last}*{factor})")

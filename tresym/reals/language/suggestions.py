@@ -10,7 +10,7 @@ MAX_TEXT = 300
 _OUTSIDE = frozenset(
     (
         *("conjugate", "re", "im"),
-        "mod",
+        *("mod", "gcd", "lcm", "isprime", "rand", "random"),
     )
 )
 _FORMS = {
@@ -20,6 +20,10 @@ _FORMS = {
     **dict.fromkeys(("sum", "Sum", "summation"), "sum(f, k, 1, n)"),
     **dict.fromkeys(("product", "Product", "prod"), "product(f, k, 1, n)"),
     **dict.fromkeys(("limit", "lim", "Limit"), "limit(f, x, a), at one side limit(f, x, a, 1)"),
+    **dict.fromkeys(("erfinv", "inverse_erf"), "the inverse y as a condition: erf(y) == x"),
+    **dict.fromkeys(("erfcinv", "inverse_erfc"), "the inverse y as a condition: erfc(y) == x"),
+    "max": "max(a, b) of two or more arguments",
+    "min": "min(a, b) of two or more arguments",
     "coefficient": "coefficient(f, z, n), the coefficient of z**n",
     "root": "root(f, x, a, b), the zero of f between a and b",
     **{"factorial": "factorial(n)", "binomial": "binomial(n, k)", "derivative": "diff(f, x)"},
@@ -32,6 +36,9 @@ _SLIPS: tuple[tuple[str, str], ...] = (
         "this declares a variable: write CLAIM given n integer, n >= 1",
     ),
     (r"\bd\s*/\s*d[a-z]\b|\w'", "a derivative is written diff(f, x)"),
+    (r"\bapprox(?:imately)?\b", "write abs(a - b) <= 0.005, or a ~ b with a path"),
+    (r"->\s*$", "the path has no end: write as x -> 0"),
+    (r"^\s*not\b", "write the contrary, such as x <= 0 for not x > 0"),
     (r"[-+*/^]\s*$", "something is missing after its last sign"),
     (r"[=<>!]\s*$|^\s*[=<>]", "one side of the comparison is missing"),
     (r"<>", "write !="),
@@ -73,6 +80,8 @@ def _advice(text: str, functions: frozenset[str]) -> str:
         if keyword.iskeyword(word) and word not in ("and", "or", "not", "in", "is"):
             return f"{word} cannot be a name; {word}_ can"
     for match in _PRODUCT.finditer(text):
+        if match[3]:
+            return f"write * between factors: (…)*{match[4]}"
         first, second = (part for part in match.groups() if part)
         if first in functions:
             return f"arguments go in parentheses: {first}({second})"

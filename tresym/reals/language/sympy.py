@@ -48,7 +48,7 @@ def from_sympy(e: Any) -> Expr:
     tree = worked_out(unworked(e))
     for node in outermost(tree):
         raise InputError(
-            f"{node.op} is not supported in expressions of SymPy; write the claim as text"
+            f"{node.op} is outside the expressions that tresym decides; write it as text"
         )
     return tree
 

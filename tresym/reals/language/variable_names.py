@@ -33,6 +33,7 @@ _USUAL = re.compile(
 _MEANT = {
     **dict.fromkeys(("Degree", "degree", "deg"), "an angle in degrees is written 30*pi/180"),
     **dict.fromkeys(("mod", "Mod"), "remainders of a division are not supported"),
+    **dict.fromkeys(("approx", "approximately"), "write abs(a - b) <= 0.005, or a ~ b with a path"),
     **dict.fromkeys(("div", "rem"), "division with a remainder is not supported"),
     **dict.fromkeys(
         ("and", "or", "not", "xor"), "conditions are separated by commas, claims go one by one"
