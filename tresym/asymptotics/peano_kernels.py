@@ -83,17 +83,22 @@ class _Rule(NamedTuple):
 
 def decide_peano(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
     """Decide a bound of |L f| by a bound of a derivative of f; None for other claims."""
-    left, relation, right = claim.left, claim.relation, claim.right
+    places = _points(statement)
+    if places is None:
+        return None
+    left, relation, right = substitute(claim.left, places), claim.relation, claim.right
     if relation in (">", ">="):
         left, relation, right = right, relation.replace(">", "<"), left
     found = _bound(statement)
     if relation not in ("<", "<=") or found is None or left.op != "abs" or claim.derivatives:
         return None
-    if statement.path is not None or any(functions(right)) or statement.equations:
+    if statement.path is not None or any(functions(right)) or places.keys() & symbols(right):
         return None
     rest = [c for c in statement.given.comparisons if not any(any(functions(e)) for e in c[::2])]
     links = (*rest, (found.most, ">" if found.strict else ">=", ZERO))
-    plain = replace(statement, given=Given(links))
+    if any(places.keys() & symbols(e) for link in links for e in link[::2]):
+        return None
+    plain = replace(statement, given=Given(links), equations=())
     rule = next(_rules(left.args[0], found), None)
     if rule is None:
         return None
@@ -133,6 +138,18 @@ def decide_peano(claim: Comparison, statement: Statement, decided: Decide) -> An
         return replace(refuting, why=why, lemma=LEMMA, values=None)
     why = f"{error} for all smooth {f} with this bound, but it was not compared: {proved.why}"
     return Answer(Verdict.UNDECIDED, why)
+
+
+def _points(statement: Statement) -> dict[str, Expr] | None:
+    """Return the points that equations name, as for a derivative at x + h; None for others."""
+    named: dict[str, Expr] = {}
+    for left, right in statement.equations:
+        plain = left.op == "symbol" and left.args[0] not in symbols(right) and not right.hidden
+        if not plain or left.args[0] in named:
+            return None
+        named[left.args[0]] = right
+    inside = frozenset().union(*map(symbols, named.values()))
+    return None if inside & named.keys() else named
 
 
 def _bound(statement: Statement) -> _Bound | None:
@@ -265,7 +282,9 @@ def _norm(rule: _Rule, p: int) -> tuple[fmpq, fmpq, bool]:
                 kernel += coefficient / factorial(n) * fmpq_poly([place, -1]) ** n
         if kernel == 0:
             continue
-        zeros, inexact = _zeros(kernel)
+        near = [x for x in _zeros(kernel) if left - CLOSE < x[0] < right + CLOSE]
+        zeros = [zero for zero, _ in near]
+        inexact = sum(not exact for _, exact in near)
         cuts = [left, *(zero for zero in zeros if left < zero < right), right]
         primitive = kernel.integral()
         for start, end in itertools.pairwise(cuts):
@@ -280,25 +299,23 @@ def _norm(rule: _Rule, p: int) -> tuple[fmpq, fmpq, bool]:
     return low, high, len(signs) > 1
 
 
-def _zeros(kernel: fmpq_poly) -> tuple[list[fmpq], int]:
-    """Return the real zeros of odd multiplicity, and how many are known within CLOSE only."""
-    found: list[fmpq] = []
-    inexact = 0
+def _zeros(kernel: fmpq_poly) -> list[tuple[fmpq, bool]]:
+    """Return the real zeros of odd multiplicity, and whether they are exact or within CLOSE."""
+    found: list[tuple[fmpq, bool]] = []
     rational = _rational(kernel)
     with ball_precision(BITS):
         for root, multiplicity in kernel.numer().complex_roots():
             if multiplicity % 2 == 0 or not root.imag.contains(0):
                 continue
-            exact = [r for r in rational if root.real.overlaps(arb(r))]
+            exact = [(r, True) for r in rational if root.real.overlaps(arb(r))]
             if exact:
                 found += exact
                 continue
             if root.real.rad() > CLOSE:
                 raise UnreadError("a zero of its Peano kernel was not found")
             mantissa, exponent = root.real.mid().man_exp()
-            found.append(fmpq(mantissa) * fmpq(2) ** int(exponent))
-            inexact += 1
-    return sorted(found), inexact
+            found.append((fmpq(mantissa) * fmpq(2) ** int(exponent), False))
+    return sorted(found)
 
 
 def _rational(kernel: fmpq_poly) -> list[fmpq]:
