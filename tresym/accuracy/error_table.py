@@ -489,7 +489,7 @@ def _sequence(exact: str | Expr, path: str, given: str) -> Expr | None:
     left = statement.comparisons[0].left
     way = read_path(path)
     if found is None or left.op != "unknown" or left.args[1:] != (symbol(way.name),):
-        raise InputError(f"{exact} has no explicit form that is found")
+        raise InputError(f"no explicit form of {exact} was found; write a formula instead")
     return found[0]
 
 

@@ -99,7 +99,7 @@ class _Steps(Bases):
         return self.must(f"{self.by_field}.")
 
     def said_at_first(self) -> None:
-        """State facts needed before parts get names: products of signs, domains of arcs."""
+        """State what later steps need: signs of products, and arguments of asin in their domain."""
         found = sorted(nodes(self.sides), key=lambda e: e.size)
         for e in found:
             if e.op in ("asin", "acos") and e.args[0].op not in LEAVES:

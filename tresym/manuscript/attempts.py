@@ -68,7 +68,7 @@ def _first(
     finished: set[int],
     progress: Callable[[int, int], None],
 ) -> None:
-    """Try all attempts with a short limit, one after the other at each link."""
+    """Decide the candidate readings of each link in turn, each with a short time limit."""
     total, attempt = len(open_), 0
     while open_:
         tasks = [Task(links[n].claims[attempt].text, line=n) for n in open_]

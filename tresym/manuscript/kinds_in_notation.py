@@ -83,7 +83,7 @@ def _plain(tokens: Sequence[str], at: int) -> list[str]:
 
 
 def _members(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
-    """``x, y \\in \\mathbb{C}^n``."""
+    """Return the kinds of symbols that are members of a set, as in ``x, y \\in \\mathbb{C}^n``."""
     return _before(tokens, found, "\\in")
 
 

@@ -368,7 +368,7 @@ class _Search:
     # -- polynomials ----------------------------------------------------------------------------
 
     def _polynomial(self, piece: _Piece) -> _Piece | None:
-        """Return a piece with its polynomial; None if there is none."""
+        """Return a piece with a polynomial that approximates the ratio on it, or None."""
         for terms in TERMS:
             found = self._coefficients(self.ratio, piece.middle, piece.half, terms)
             if found is None:

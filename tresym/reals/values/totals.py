@@ -226,7 +226,7 @@ def _ratio(body: Expr, name: str) -> Expr | None:
         if e.op == "unknown" and e.args[0].args[0] == FACTORIAL:
             step = _slope(e.args[1], name)
             if step is None or abs(step) > LARGEST_STEP:
-                raise InputError("no ratio")
+                raise InputError("the ratio of two terms has no value here")
             mark = marks.setdefault(e, (symbol(f"[{len(marks)}]"), ONE))[0]
             if not after:
                 return mark
