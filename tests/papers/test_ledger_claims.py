@@ -238,3 +238,29 @@ holds: x*y == O(x**2 + y**2) as (x, y) -> (0, 0) expect refuted at x == t, y == 
     assert found.pop("below") == found.pop("fails") == "REFUTED"
     assert found.pop("holds") == "UNDECIDED"
     assert {*found.values()} <= {"PROVED", "ENCLOSED"}
+
+
+def test_equivalences_by_steps(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """root: x**2 == 4 <=> x == 2 <=> 3*x == 6 given x > 0
+wrong: x == 2 <=> x**2 == 4 <=> 2*x == 4
+false: x**2 == 4 <=> abs(x) == 2 <=> x == 2
+""",
+    )
+    assert len(part.root.proof.chains[0]) == 2
+    assert {*part.root.says.args} == {
+        Eq(x**2, 4, evaluate=False),
+        Eq(3 * x, 6, evaluate=False),
+    }
+    assert verdicts(part) == {"root": "PROVED", "wrong": "UNDECIDED", "false": "REFUTED"}
+
+
+def test_each_part_of_a_statement_is_printed_with_its_own_steps(tmp_path: Path) -> None:
+    from tresym.report.typesetting.chains import displays
+
+    part = read(
+        tmp_path,
+        "two: (a + b)**2 == a**2 + 2*a*b + b**2 == b**2 + 2*a*b + a**2 and 2*a == a + a == a*2",
+    )
+    assert [len(display) for display in displays(part.two)] == [2, 2]

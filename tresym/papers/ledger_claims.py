@@ -505,6 +505,8 @@ class _Reader(Reader):
         There are none if each part has one step, and none of them names a claim.
         """
         chains: list[Chain] = []
+        if isinstance(says, sympy.Equivalent):
+            return self._equivalences(text, uses)
         if not all(isinstance(part, Relational) for part in parts_of(says)):
             return ()
         for part in split(text, r"\band\b"):
@@ -514,21 +516,35 @@ class _Reader(Reader):
                 return ()
             chain = []
             for n, stage in enumerate(stages, 1):
-                match = _BECAUSE.fullmatch(stage)
-                shown, words = (match[1], match[2]) if match else (stage, "")
-                named = [
-                    self.stated[w] for w in map(str.strip, words.split(",")) if w in self.stated
-                ]
-                uses += [claim for claim in named if claim not in uses]
-                why = [Reason("substituting", claims=tuple(named))] if named else []
-                why += [Reason(words)] if words and not named else []
+                shown, why = self._because(stage, uses)
                 last = n == len(stages)
-                chain.append(Step(None if last else _in_sympy(self._tree(shown)), tuple(why)))
+                chain.append(Step(None if last else _in_sympy(self._tree(shown)), why))
             chains.append(tuple(chain))
         derived = any(len(chain) > 1 or any(link.reasons for link in chain) for chain in chains)
         if derived and len(chains) != len(parts_of(says)):
             raise InputError("the steps of a vector are not read: write one equation a component")
         return tuple(chains) if derived else ()
+
+    def _because(self, stage: str, uses: list[Claim]) -> tuple[str, tuple[Reason, ...]]:
+        """A step without the words in brackets behind it, and the reason that they give."""
+        match = _BECAUSE.fullmatch(stage)
+        if match is None:
+            return stage, ()
+        labels = [word.strip() for word in match[2].split(",")]
+        named = [self.stated[label] for label in labels if label in self.stated]
+        uses += [claim for claim in named if claim not in uses]
+        if named:
+            return match[1], (Reason("substituting", claims=tuple(named)),)
+        return match[1], (Reason(match[2]),)
+
+    def _equivalences(self, text: str, uses: list[Claim]) -> tuple[Chain, ...]:
+        """The steps of a chain of equations, each of which is equivalent to the one before."""
+        chain = []
+        _, *stages = split(text, r"<=>|\biff\b")
+        for stage in stages:
+            shown, why = self._because(stage, uses)
+            chain.append(Step(self._says(shown.strip()), why))
+        return (tuple(chain),) if len(chain) > 1 or chain[0].reasons else ()
 
     def _formula_of(self, formula: Formula) -> Basic:
         """A claim made of others as a statement of the ledger."""
@@ -536,7 +552,8 @@ class _Reader(Reader):
             parts = [part for f in formula.parts for part in parts_of(self._formula_of(f))]
             return Tuple(*parts)
         if isinstance(formula, Equivalent):
-            return sympy.Equivalent(*map(self._formula_of, formula.parts))
+            first, *_, last = map(self._formula_of, formula.parts)
+            return sympy.Equivalent(first, last)
         if isinstance(formula, Count) and formula.how in _COUNTS and not any(formula.closed):
             ends = (_in_sympy(e) for e in (symbol(formula.name), formula.low, formula.high))
             return _COUNTS[formula.how](*ends, self._relation(formula.equation))

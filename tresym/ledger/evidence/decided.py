@@ -26,7 +26,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 from flint import fmpq
-from sympy import Basic, Eq, Rational, S, Symbol, Tuple, oo
+from sympy import Basic, Eq, Equivalent, Rational, S, Symbol, Tuple, oo
 from sympy import Expr as Expression
 from sympy.core.relational import Relational
 
@@ -168,12 +168,12 @@ def judge_decided(claim: Claim, proof: Decided) -> Finding:
     here = put_into(given, rules)
     if isinstance(says, As):
         return _order(claim, proof, says, rules, here)
-    if not all(isinstance(part, Relational) for part in parts_of(says)):
-        return _whole(claim, proof, says, rules, meant)
     if proof.steps:
         by_steps = _by_steps(claim, proof, says, given)
         whole = None if by_steps.verdict.holds else judge_decided(claim, replace(proof, steps=()))
         return whole if whole is not None and whole.verdict is Verdict.REFUTED else by_steps
+    if not all(isinstance(part, Relational) for part in parts_of(says)):
+        return _whole(claim, proof, says, rules, meant)
     relations = list(_relations(says, rules, meant))
     need(bool(relations), "the statement contains no relation")
     if proof.constant is not None:
@@ -225,13 +225,20 @@ def _by_steps(claim: Claim, proof: Decided, says: Basic, given: Conditions) -> F
     answers = []
     need(len(parts) == len(proof.steps), "there must be one chain for each part of the statement")
     for part, chain in zip(parts, proof.steps, strict=True):
-        need(isinstance(part, Relational), "only a relation is derived by steps")
+        alike = isinstance(part, Equivalent) and len(part.args) == 2
+        need(isinstance(part, Relational) or alike, "only a relation is derived by steps")
         left, last = part.args
+        if alike and chain[-1].expression == left:  # SymPy has an order of its own
+            left, last = last, left
         for link in chain:
             right = last if link.expression is None else link.expression
             named = tuple(c for r in link.reasons for c in r.claims if c in proof.put)
             rules, meant = instantiated(named if link.reasons else proof.put, given)
             asked = tuple((c.left, c.sign, c.right) for c in put_into(given, rules))
+            if alike:
+                answers.append(_equivalent(left, right, rules, meant))
+                left = right
+                continue
             here = part.func if link is chain[-1] else Eq
             for r in _relations(here(left, right, evaluate=False), rules, meant):
                 answers.append(_decided(r, asked, meant, True))
@@ -240,6 +247,12 @@ def _by_steps(claim: Claim, proof: Decided, says: Basic, given: Conditions) -> F
     found = _found(answers, False)
     region = ", ".join(map(str, claim.given)) or None
     return replace(found, region=region) if found.verdict.holds else found
+
+
+def _equivalent(first: Basic, second: Basic, rules: Rules, given: Conditions) -> Answer:
+    """Return what the engine finds on two equations that are said to be equivalent."""
+    both = Equivalent(first, second, evaluate=False)
+    return decide_compound(whole_claim(both, lambda e: put_in(tree(e), rules), given), decide_claim)
 
 
 def _decided(

@@ -68,12 +68,11 @@ def _shown(claim: Claim) -> tuple[Display, ...]:
     if isinstance(proof, Together | tuple):
         return tuple(_lines(part, chain) for part, chain in chains_of(says, proof) or ())
     parts = says.args if isinstance(says, Tuple) else (says,)
-    if (
-        isinstance(proof, Decided)
-        and proof.chains
-        and all(isinstance(part, Relational) for part in parts)
-    ):
-        return tuple(_lines(part, chain) for part in parts for chain in proof.chains)
+    derived = all(isinstance(part, Relational | Equivalent) for part in parts)
+    if isinstance(proof, Decided) and proof.chains and derived:
+        one_each = len(proof.chains) == len(parts)
+        chains = proof.chains if one_each else proof.chains * len(parts)
+        return tuple(_lines(part, chain) for part, chain in zip(parts, chains, strict=True))
     return tuple((Line("", says_latex(part)),) for part in parts)
 
 
