@@ -311,3 +311,13 @@ def test_a_sentence_is_one_text_over_its_lines() -> None:
     assert str(first) == "that a\nproof has"
     assert second.astext() == "x"
     assert first.parent is paragraph
+
+
+def test_long_commands_fit_the_boxes_of_the_site() -> None:
+    from tresym.site.commands import COLUMNS, on_lines
+
+    long = "tresym chart error 'elliptic_k(m)' 'pi/2*(1 + m/4)' 'pi/2*(1 + m/4 + 9*m**2/64)' "
+    long += "'pi/2*(1 + m/4 + 9*m**2/64 + 25*m**3/256)' --as 'm -> 0+' --on '0 < m <= 1/2'"
+    lines = on_lines(long).split("\n")
+    assert all(len(line) <= COLUMNS for line in lines)
+    assert " ".join(line.rstrip("\\").strip() for line in lines) == long

@@ -63,3 +63,11 @@ def test_points_without_a_value_are_left_out() -> None:
     _, *rows = explain("log(1/(1 - x)) == x + O(x**2) as x -> 0+").compared
     assert [row[0] for row in rows][:2] == ["1/4", "1/16"]
     assert "Counterexample" not in explain("x -> 3 as x -> 0+").text()
+
+
+def test_the_claim_stands_as_it_was_typed_unless_it_was_read_otherwise() -> None:
+    found = explain("(1 + 1/n)**n -> E as n -> oo")
+    assert found.text().startswith("Claim. (1 + 1/n)**n -> E as n -> oo\n")
+    assert found.markdown().startswith(r"**Claim.** $\left(1 + \frac{1}{n}\right)^{n} \to e")
+    assert "E**x" in explain("e**x -> 1 as x -> 0").text().splitlines()[0]
+    assert "x**2 == 4 <=> x == 2" in explain("x^2 = 4 <=> x = 2").text().splitlines()[0]

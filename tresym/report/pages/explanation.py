@@ -26,10 +26,11 @@ from tresym.papers.error_rows import rounded
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.closed_values import certified_evaluation
 from tresym.reals.decisions.path_regions import conditions_of, reach_of
+from tresym.reals.language.as_typed import as_typed
 from tresym.reals.language.expression import ZERO
-from tresym.reals.language.parsing import as_written
+from tresym.reals.language.parsing import as_written, parse_claim
 from tresym.reals.language.readings import in_latex
-from tresym.reals.language.typesetting import expression_in_latex
+from tresym.reals.language.typesetting import expression_in_latex, to_latex
 from tresym.reals.numbers.exact import InputError, decimal_ball
 from tresym.reals.verdict import Cause
 from tresym.report.typesetting import html
@@ -78,11 +79,12 @@ class Explanation:
 
     def text(self) -> str:
         """Return the explanation for a terminal."""
-        return "\n".join(self._lines(lambda f: f, lambda words: words, "{}", _aligned))
+        return "\n".join(self._lines(lambda f: f, lambda words: words, "{}", _aligned, _as_typed))
 
     def markdown(self) -> str:
         """Return the explanation in Markdown, with its formulas in LaTeX between dollars."""
-        return "\n".join(self._lines(_formula, _typeset, "**{}**", _in_markdown))
+        text = self._lines(_formula, _typeset, "**{}**", _in_markdown, _typed_in_latex)
+        return "\n".join(text)
 
     def html(self, with_claim: bool = True) -> str:
         """Return the explanation in HTML, with its formulas as MathML and a picture.
@@ -90,7 +92,7 @@ class Explanation:
         Args:
             with_claim: whether it begins with the claim.
         """
-        text = self._lines(_formula, _typeset, "**{}**", _in_html)
+        text = self._lines(_formula, _typeset, "**{}**", _in_html, _typed_in_latex)
         if not with_claim:
             next(text)
         return "\n".join([*_paragraphs(text), self.picture()])
@@ -108,13 +110,14 @@ class Explanation:
         words: Callable[[str], str],
         strong: str,
         table: Callable[[Table], Iterator[str]],
+        claim: Callable[[Answer], str],
     ) -> Iterator[str]:
         answer = self.answer
         meant = MEANT.get(answer.cause) if answer.cause else None
         on_the_way = bool(self.compared) and answer.cause is Cause.WITNESS
         if on_the_way:  # a point of the path refutes nothing about its end
             meant = "what happens on the way to the end contradicts it"
-        yield f"{strong.format('Claim.')} {formula(answer.read_as or answer.statement)}\n"
+        yield f"{strong.format('Claim.')} {claim(answer)}\n"
         because = f": {meant}" if meant else ""
         yield f"{strong.format('Verdict.')} {answer.verdict.value}{because}.\n"
         name = "Lemma." if answer.lemma else "Reason."
@@ -241,6 +244,36 @@ def _picture(answer: Answer) -> str:
     bound = float(Fraction(answer.constant.mid)) if answer.constant is not None else None
     title = sides.heads[0] if len(sides.heads) == 1 else "left side / right side"
     return ratio(curve, along, title, bound)
+
+
+_CLAUSES = re.compile(r"\s(?:given|as)\s.*$")
+"""The conditions and the path of a claim, as it was read."""
+
+
+def _as_typed(answer: Answer) -> str:
+    """Return the claim in the form in which it was typed, with its conditions and its path."""
+    typed = answer.statement.strip()
+    read_as = answer.read_as or typed
+    try:  # the typed text only where the strict grammar reads the same of it
+        if parse_claim(_CLAUSES.sub("", typed)) != parse_claim(_CLAUSES.sub("", read_as)):
+            return read_as
+    except InputError:
+        return read_as
+    clauses = _CLAUSES.search(read_as)
+    return _CLAUSES.sub("", typed) + (clauses[0] if clauses else "")
+
+
+def _typed_in_latex(answer: Answer) -> str:
+    """Return the claim in LaTeX between dollars, with its terms in the order of the text."""
+    read_as = answer.read_as or answer.statement
+    shown = _formula(read_as)
+    formula = _CLAUSES.sub("", read_as)
+    try:
+        links = tuple(parse_claim(formula))
+    except InputError:
+        return shown
+    typed = to_latex(as_typed(_as_typed(answer), links))
+    return shown.replace(to_latex(links), typed, 1)
 
 
 _ORDER = re.compile(r"(.+) (O|o|Theta|omega) (.+?)( as .+)?")
