@@ -1,10 +1,11 @@
-"""Bounds of an integral with parameters, by a bound of its integrand.
+"""Compare an integral with parameters with an expression, by its integrand.
 
 ``integral(exp(-x**2), x, 0, a) <= a given a > 0`` holds, because the integrand is at most 1, the
 right side over the length of the interval. ``integral(exp(-x**3), x, 0, a) >= a - a**4/4 given a >
 0`` follows from the derivatives by the end: both sides are 0 at a = 0, and the derivative of the
-left side, the integrand, is nowhere smaller than that of the right side. The integrand is shown to
-be continuous on the closed interval. What fails refutes nothing.
+left side, the integrand, is nowhere smaller than that of the right side. Equations follow in the
+same way, so that no antiderivative is looked for where the other side is one. Integrand and
+expression are shown to be continuous on the closed interval. What fails refutes nothing.
 """
 
 from __future__ import annotations
@@ -28,13 +29,13 @@ Decide = Callable[[Comparison, Statement], Answer]
 
 
 def decide_by_integrand(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
-    """Return a proof of an inequality between one integral and an expression, or None."""
+    """Return a proof that one integral equals, or is above or below, an expression, or None."""
     nodes = list(outermost(claim.left, claim.right))
     if len(nodes) != 1 or nodes[0].op != "integral" or claim.derivatives:
         return None
     if (
         claim.relation not in MIRRORED
-        or claim.relation in ("==", "!=")
+        or claim.relation == "!="
         or statement.path is not None
         or statement.equations
     ):
@@ -71,7 +72,7 @@ def decide_by_integrand(claim: Comparison, statement: Statement, decided: Decide
     verdicts: list[Verdict] = []
     if not shown(low, "<", high, statement):
         return None
-    for ways in (_by_mean, _by_end):
+    for ways in (_by_end,) if sign == "==" else (_by_mean, _by_end):
         verdicts[1:] = []
         shown_last = ""
         for left, relation, right, is_inside in ways(f, t, low, high, sign, other, closed):
