@@ -24,7 +24,16 @@ from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.expression import ZERO, Expr, add, bind, opened, substitute, symbols
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    add,
+    apply,
+    bind,
+    opened,
+    substitute,
+    symbols,
+)
 from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
@@ -54,6 +63,7 @@ _SCALED = re.compile(
     r"(?:m|g|s|N|J|W|V|A|Pa|Hz|eV|cal|L|mol)(?![a-zA-Z])"
 )
 """Units with a prefix."""
+_WAVES = frozenset(("sin", "cos", "tan", "log", "exp"))
 _SENTENCE = re.compile(r"[^.!?]+[.!?]")
 _LINE = re.compile(r"\blines? (\d+)")
 
@@ -84,7 +94,7 @@ def _excused(row: Row) -> Row:
     elif _in_other_unit(row):
         excuse = "the sides may be in units that differ by a power of ten"
     elif (alike := _with_longer_sums(row)) and _holds(alike):
-        excuse = f"it holds as {alike}, if the sum goes on to the end"
+        excuse = f"it holds as {alike}, if what follows is meant to belong to it"
     if not excuse:
         return row
     return replace(row, status=Verdict.UNDECIDED.value, why=f"{excuse}; {row.why}")
@@ -102,6 +112,10 @@ def _with_longer_sums(row: Row) -> str:
 
 
 def _longer_sum(side: Expr) -> Expr:
+    waves = [arg for arg in side.args if isinstance(arg, Expr) and arg.op in _WAVES]
+    if side.op == "+" and len(waves) == 1 and all(map(elementary, side.args)):
+        rest = [arg for arg in side.args if arg is not waves[0]]
+        return apply(waves[0].op, add(waves[0].args[0], *rest))  # \cos s + t
     sums = [arg for arg in side.args if isinstance(arg, Expr) and arg.op == "sum"]
     if side.op != "+" or len(sums) != 1:
         return side

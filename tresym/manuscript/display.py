@@ -195,13 +195,30 @@ def _rows(tokens: list[str]) -> list[_Cell]:
             if not cell:
                 continue
             after = split[column + 1] if column + 1 < len(split) else []
-            if cells and _goes_on(cells[-1].tokens, cell, after, column, row):
+            own = _of_column(cells, columns, column, n) if cell[0] in RELATIONS else -1
+            if own >= 0:  # it goes on below its own equation, of several beside each other
+                cells[own] = _Cell(cells[own].tokens + cell, n, cells[own].opens)
+            elif cells and _goes_on(cells[-1].tokens, cell, after, column, row):
                 cells[-1] = _Cell(cells[-1].tokens + cell, n, cells[-1].opens)
             else:
                 cells.append(_Cell(cell, n, column == 0))
                 columns.append(column)
     pairs = zip(cells, columns, strict=True)
     return [cell._replace(tokens=cell.tokens + heads.get(c, [])) for cell, c in pairs]
+
+
+def _of_column(cells: list[_Cell], columns: list[int], column: int, row: int) -> int:
+    """Return which statement of several in one row a cell goes on, by its column; -1 if that is
+    the last one."""
+    last = cells[-1].row if cells else row
+    if last >= row and not any(cell.row < row for cell in cells):
+        return -1
+    first = max((cell.row for cell in cells if cell.row < row), default=-1)
+    beside = [k for k, cell in enumerate(cells) if cell.row in (first, row)]
+    of_pair = [k for k in beside if columns[k] // 2 == column // 2]
+    if len({columns[k] // 2 for k in beside}) < 2 or not of_pair or of_pair[-1] == len(cells) - 1:
+        return -1
+    return of_pair[-1]
 
 
 _SIGNS = frozenset(("-", "\\pm", "\\mp"))

@@ -90,6 +90,7 @@ _IMPLICIT = re.compile(
     re.IGNORECASE,
 )
 """Words behind which an equation determines its symbols, whatever they stood for before."""
+_PLUS_FIRST = re.compile(r"(?:\s|&|\\[ ,;:>!]|~|\\q?quad|\\begin\{\w+\*?\})*\+(?!\s*\\infty)")
 BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 FIRST = "compared with the first side of the chain, which is equal"
 
@@ -151,6 +152,12 @@ class _Reading(LinkReader):
                     )
                     for link in self.display(event, before, after)
                 ]
+                following = beyond if isinstance(follows, Prose) else follows
+                text_ahead = following.text if isinstance(following, Display) else ""
+                at_once = found and not re.search(r"\w", after)
+                if at_once and _PLUS_FIRST.match(text_ahead):
+                    why = "its sum goes on in the next display"
+                    found[-1] = replace(found[-1], status=UNREAD, why=why, claims=())
                 self.memory.line = 0
                 for label in (*event.labels, str(event.number)):
                     self.memory.labels[label] = [x.sides for x in found if x.sides]

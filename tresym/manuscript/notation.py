@@ -19,6 +19,13 @@ from tresym.manuscript.macros import group
 from tresym.manuscript.units import in_one_system
 from tresym.reals.numbers.exact import InputError
 
+_WIDE = re.compile(r"(?:\\[;:,> ]\s*|~\s*){4,}")
+"""Spaces that set two formulas apart."""
+_SPELLED = re.compile(
+    r"(?P<before>\\[;:,> ]\s*|~|\\q?quad\s*)(?P<word>for|if|when|where|and|or|with)\s*"
+    r"(?=\\[;:,> ]|~|\\q?quad)"
+)
+"""Words in italic letters between spaces, ``\\;for\\; x > 0``."""
 _SPACES = re.compile(r"\\(?:>|enskip(?![a-zA-Z])|thinspace(?![a-zA-Z])|medspace(?![a-zA-Z])|:)")
 _EMPTY = re.compile(r"(?<![_^a-zA-Z}\]])\{\s*\}")
 _CANCELLED = re.compile(r"\\(?:b|x)?cancel(?![a-zA-Z])")
@@ -109,6 +116,8 @@ def plain_notation(text: str) -> str:
     if not any(mark in text for mark in "\\^{('"):
         return text
     text = _AND.sub(r"\1\\text{and}", text)
+    text = _SPELLED.sub(r"\g<before>\\text{ \g<word> }", text)
+    text = _WIDE.sub(r" \\quad ", text)
     text = _SPACES.sub(" ", text)
     text = _SETTING.sub(" ", text)
     text = _EMPTY.sub(" ", text)
