@@ -15,9 +15,8 @@ from dataclasses import replace
 from typing import Any
 
 from sympy import Mul, Pow
-from tresym.proofs import on_the_separatrix, sweeps
+from tresym.proofs import exponent, on_the_separatrix, sweeps
 from tresym.proofs.conditions import shape
-from tresym.proofs.exponent import arctangent_above
 from tresym.proofs.separatrix import defect_range, flip_defect
 
 from tresym.ledger.evidence.chart_bounds import Reading
@@ -694,7 +693,7 @@ half_tangent_above = Claim(
     ),
 )
 
-_half = Instance(arctangent_above, ((x, epsilon_star / 2),), (leading_positive,))
+_half = Instance(exponent.arctangent_above, ((x, epsilon_star / 2),), (leading_positive,))
 arctangent_at_half = Claim(says=_half.says, given=shape, proof=_half)
 
 half_angle_above = Claim(

@@ -20,7 +20,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from tresym.proofs import implicit_function, slope
+from tresym.proofs import exponent, implicit_function, slope
 from tresym.proofs.asymptotics import (
     DEFECT_SLOPE,
     printed_error,
@@ -31,7 +31,6 @@ from tresym.proofs.asymptotics import (
     slope_leading_term,
 )
 from tresym.proofs.conditions import STANDARD, shape, standard_racket
-from tresym.proofs.exponent import logarithmic_equation
 from tresym.proofs.moments import fourth_moment
 from tresym.proofs.near import (
     BY_KAPPA,
@@ -364,7 +363,7 @@ eq_epsilon_gen = Claim(
         ("b", "kappa", "v"),
         "ab >= 1/4, 0 < b <= 1, |gamma| <= b epsilon0^2",
         as_rational("2"),
-        (one_flip_defect, logarithmic_equation, slope.d55, slope_by_phase, *fourth_moment),
+        (one_flip_defect, exponent.logarithmic_equation, slope.d55, slope_by_phase, *fourth_moment),
         certificate("eq_epsilon_gen"),
         meant=Meant(
             in_bent_chart(),

@@ -15,9 +15,8 @@ least cπ (`arsinh_concave`), and it remains to show c u/(1+u) (π − arcsin(u 
 
 from __future__ import annotations
 
-from tresym.proofs import euler_angles
+from tresym.proofs import euler_angles, exponent
 from tresym.proofs.conditions import ordered_moments, shape
-from tresym.proofs.exponent import arsinh_concave, inverse_by_cotangent, share
 from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.separatrix import flip_defect
 
@@ -75,7 +74,7 @@ floor_angle = Claim(
 _turned = asin(_u * tanh(pi))
 
 _concave = asinh(_c * sinh(pi)) - _c * asinh(sinh(pi))
-_share_of_c = Instance(arsinh_concave, ((share, _c), (x, sinh(pi))))
+_share_of_c = Instance(exponent.arsinh_concave, ((Symbol("c", real=True), _c), (x, sinh(pi))))
 concave_at_the_floor = Claim(says=_share_of_c.says, given=_some, proof=_share_of_c)
 
 
@@ -161,7 +160,9 @@ above_is_an_angle = Claim(
 )
 
 _inverse_above = Instance(
-    inverse_by_cotangent, ((epsilon, _candidate_above), (b, 1 / (a + 2))), (above_is_an_angle,)
+    exponent.inverse_by_cotangent,
+    ((epsilon, _candidate_above), (b, 1 / (a + 2))),
+    (above_is_an_angle,),
 )
 inverse_above = Claim(
     says=_inverse_above.says,

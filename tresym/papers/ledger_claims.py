@@ -154,6 +154,7 @@ class Part:
         title: its title.
         claims: its claims by label, in order.
         named: its conditions with a name.
+        shorthands: the expressions that it abbreviates, by name.
         lines: the first and the last line of each claim in the file, by label.
     """
 
@@ -161,11 +162,12 @@ class Part:
     claims: Mapping[str, Claim]
     named: Mapping[str, tuple[Basic, ...]]
     lines: Mapping[str, tuple[int, int]]
+    shorthands: Mapping[str, Expression] = field(default_factory=dict)
 
     @property
     def values(self) -> Mapping[str, Any]:
         """Everything that other parts may use, by name."""
-        return {**self.named, **self.claims}
+        return {**self.shorthands, **self.named, **self.claims}
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
@@ -200,7 +202,8 @@ def read_part(path: Path, others: Callable[[str], Mapping[str, Any]]) -> Part:
     if found.problems:
         first = found.problems[0]
         raise InputError(f"{path.name}:{first.line}:{first.column}: {first.message}")
-    return Part(found.title, reader.own, reader.named, reader.lines)
+    made = {d.name: _in_sympy(d.expression) for d in found.definitions.values() if not d.parameters}
+    return Part(found.title, reader.own, reader.named, reader.lines, made)
 
 
 @dataclass
