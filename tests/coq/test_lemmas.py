@@ -17,7 +17,7 @@ QUICK = 1
 """How many of each are asked by ``pytest -m coq``; the others every night."""
 
 
-def proved(claims: list[str], seconds: float = 60) -> list[str]:
+def proved(claims: list[str], seconds: float = 200) -> list[str]:
     """Those of the claims, all of one kind, of which Coq accepts a proof."""
     found = [theorems(read(claim))[0] for claim in claims]
     with Dialogue(lemmas=HEAD + bound(found)) as coq:

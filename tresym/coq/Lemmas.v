@@ -182,3 +182,15 @@ Ltac sum_equal := first [ring | rewrite ?ln_1, ?sqrt_1; first [ring | field; ins
 Ltac sum_defined := first
   [ intros; whole_numbers; repeat split; nonzero_whole
   | exists 1%nat; intros; whole_numbers; repeat split; nonzero_whole ].
+Lemma apart_from_infinite (b : nat -> R) : filterlim b eventually (Rbar_locally p_infty) ->
+  eventually (fun n => b n <> 0).
+Proof. intros H; apply (H (fun y => y <> 0)); exists 0; intros y Y; lra. Qed.
+Lemma stolz_terms (f : nat -> R) (b Q : nat -> R) (l : R) : eventually (fun n => 0 < b (S n) - b n) ->
+  filterlim b eventually (Rbar_locally p_infty) ->
+  eventually (fun n => f (S n) * / (b (S n) - b n) = Q n) -> filterlim Q eventually (Rbar_locally l) ->
+  filterlim (fun n => terms f 1 n * / b n) eventually (Rbar_locally l).
+Proof.
+  intros B I E L; apply (stolz (fun n => terms f 1 n) b l B I).
+  apply (whole_beside _ Q); [| exact L]; revert E; apply filter_imp; intros n <-.
+  rewrite terms_first; replace (terms f 1 n + f (1 + n)%nat - terms f 1 n) with (f (S n)) by (cbn [Nat.add]; ring); reflexivity.
+Qed.

@@ -1,7 +1,9 @@
-"""Prove orders of sums in Coq by comparison with the integral, for terms that rise or fall.
+"""Prove orders of sums in Coq: by comparison with the integral, or by Stolz's theorem.
 
-With F' = f, |f(1) + ... + f(n) - (F(n) - F(1))| <= |f(1)| + |f(n)|. So
+Where F' = f and f rises or falls, |f(1) + ... + f(n) - (F(n) - F(1))| <= |f(1)| + |f(n)|. So
 `sum(1/k, k, 1, n) == log(n) + O(1)` follows from orders of 1, 1/n and log(n) - log(1) - log(n).
+Where g rises to infinity, the sum divided by g(n) has the limit of f(n + 1)/(g(n + 1) - g(n)):
+`sum(k^2, k, 1, n)/n^3 -> 1/3`.
 """
 
 from __future__ import annotations
@@ -13,16 +15,24 @@ from tresym.coq.bound_statements import BoundTheorem, naturally, sides_of, sums_
 from tresym.coq.claim_export import theorem as plain_theorem
 from tresym.coq.constant_proofs import tidied
 from tresym.coq.expansion_proofs import LENGTHS, NoExpansionError, folded
-from tresym.coq.order_proofs import Along
-from tresym.coq.statement import Theorem, term, variable
+from tresym.coq.limit_proofs import INFINITE
+from tresym.coq.order_proofs import NEEDED, QUOTIENTS, Along
+from tresym.coq.statement import ATOM, Theorem, term, variable
 from tresym.coq.theorem_trees import inside
 from tresym.reals.decisions.antiderivatives import suggested
-from tresym.reals.language.comparisons import Comparison, Derivative
+from tresym.reals.expansions.limit_values import limit_of
+from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.comparisons import LIMIT, Comparison, Derivative
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
+    MINUS_ONE,
+    ONE,
     ZERO,
     Expr,
+    factors_in,
     fresh,
+    multiply,
+    power,
     replaced,
     substitute,
     symbol,
@@ -45,8 +55,84 @@ def sum_proofs(theorem: BoundTheorem, head: str, prove: Prove) -> Iterator[str]:
     claim, path = theorem.claim, theorem.statement.path
     assert path is not None
     (node, *more) = sums_in(claim.left)
-    if more or sums_in(claim.right) or claim.relation not in ("O", "o", "~"):
+    if more or sums_in(claim.right):
         return
+    if claim.relation in ("O", "o", "~"):
+        yield from _by_integral(theorem, head, node, prove)
+    if node.args[1] == ONE and claim.relation in (*QUOTIENTS, LIMIT):
+        yield from _by_stolz(theorem, head, node, prove)
+
+
+def _by_stolz(theorem: BoundTheorem, head: str, node: Expr, prove: Prove) -> Iterator[str]:
+    """Yield a proof through the quotient of the differences, by Stolz's theorem."""
+    claim, path = theorem.claim, theorem.statement.path
+    assert path is not None
+    n, given = path.name, theorem.statement.given
+    v, x = variable(n), symbol(path.name)
+    if claim.relation == LIMIT:
+        parts = [*factors_in(claim.left)]
+        linear = node in parts
+        g = multiply(*(_inverse(part) for part in parts if part != node))
+    else:
+        g, linear = claim.right, claim.left == node
+    if not linear or claim.relation == "omega":
+        return
+    (k,), body = inside(node)
+    step = substitute(g, {n: x + ONE}) - g
+    quotient = Expr("*", (substitute(body, {k: x + ONE}), Expr("^", (step, MINUS_ONE))))
+    value = limit_of(quotient, n, None, 1, given)
+    if value is None or value in INFINITE or str(value) != NEEDED.get(claim.relation, str(value)):
+        return
+    rises = plain_theorem(
+        Comparison(step, ">", ZERO), (*given.comparisons, (x, ">=", ONE)), "rises"
+    )
+    script = prove(rises)
+    infinite = _limit(theorem, g, INFINITY)
+    limit = _limit(theorem, quotient, value)
+    if script is None or infinite is None or limit is None:
+        return
+    terms = f"(fun {variable(k)} : nat => {term(naturally(body, {k}))})"
+    shown = [f"(fun {v} : nat => {term(naturally(e, {n}))})" for e in (g, quotient)]
+    after = (
+        f"exists 1%nat; intros {v} N; apply le_INR in N; cbn [INR] in N; cbv beta; rewrite ?S_INR; "
+    )
+    stolz = (
+        f"apply (stolz_terms {terms} {shown[0]} {shown[1]} {term(value, ATOM)}).\n"
+        f"{{ {after}assert (P : {term(naturally(step, {n}))} > 0) by (apply rises; inside_); "
+        "lra. }\n"
+        f"{{ {infinite} }}\n"
+        f"{{ {after}apply f_equal2; [sum_equal | apply f_equal; ring]. }}\n{{ {limit} }}"
+    )
+    start = f"assert (rises : {rises.body.strip()}).\n{{ {script} }}\n{head}"
+    split = "".join(f"split.\n{{ {one} }}\n" for one in _defined(theorem))
+    left, right = sides_of(theorem)
+    if claim.relation == LIMIT:
+        yield (
+            f"{start}{split}apply (whole_beside _ (fun {v} : nat => terms {terms} 1 {v} * / "
+            f"({term(naturally(g, {n}))}))).\n"
+            f"{{ {after}first [ring | field; repeat split; inside_]. }}\n{stolz}"
+        )
+        return
+    f_text, g_text = f"(fun {v} : nat => {left})", f"(fun {v} : nat => {right})"
+    law = QUOTIENTS[claim.relation].format(f=f_text, g=g_text, l=term(value, ATOM))
+    yield f"{start}{split}{law}\n{{ apply apart_from_infinite. {infinite} }}\n{{ {stolz} }}"
+
+
+def _inverse(e: Expr) -> Expr:
+    base, exponent = e.args if e.op == "^" else (e, ONE)
+    return power(base, multiply(MINUS_ONE, exponent))
+
+
+def _limit(theorem: BoundTheorem, e: Expr, value: Expr) -> str | None:
+    """Return the proof of a limit of a function without a sum."""
+    part = replace(theorem, claim=Comparison(e, LIMIT, value), says=("eventually",))
+    return _found(part)
+
+
+def _by_integral(theorem: BoundTheorem, head: str, node: Expr, prove: Prove) -> Iterator[str]:
+    """Yield proofs by comparison with the integral."""
+    claim, path = theorem.claim, theorem.statement.path
+    assert path is not None
     given = theorem.statement.given
     (k,), body = inside(node)
     n, low = path.name, node.args[1]
@@ -137,7 +223,11 @@ def _order(theorem: BoundTheorem, e: Expr, relation: str) -> str | None:
     if e == ZERO:
         return f"apply {relation}_none."
     claim = replace(theorem.claim, left=e, relation=relation)
-    part = replace(theorem, claim=claim, says=("eventually",))
+    return _found(replace(theorem, claim=claim, says=("eventually",)))
+
+
+def _found(part: BoundTheorem) -> str | None:
+    """Return the proof of a limit or an order without a sum."""
     for way in (Along(part, ""), Along(part, "", squared=True)):
         for order in LENGTHS:
             try:
