@@ -13,13 +13,14 @@ SAMPLE = {
     "damped": ("start", "velocity", "frequency", "regular_bound"),
     "kepler": ("equation", "slope", "value"),
     "layer": ("composite", "outer", "wrong_end"),
+    "methods": ("heun", "rk4_wrong", "gauss"),
     "pendulum": ("at_45", "lima_at_90", "misprint"),
     "recurrences": ("merge_sort_linear", "hanoi", "bound_wrong", "catalan"),
     "queue": ("sojourn", "traffic", "tail_wrong"),
     "scheme": ("central", "forward_wrong", "simpson"),
     "stirling": ("recurrence", "at_10", "leading"),
 }
-WITHOUT_PICTURES = ("algorithm", "layer", "recurrences", "scheme")
+WITHOUT_PICTURES = ("algorithm", "layer", "methods", "recurrences", "scheme")
 
 
 def test_they_are_short() -> None:
