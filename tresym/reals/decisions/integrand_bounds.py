@@ -5,7 +5,8 @@ right side over the length of the interval. ``integral(exp(-x**3), x, 0, a) >= a
 0`` follows from the derivatives by the end: both sides are 0 at a = 0, and the derivative of the
 left side, the integrand, is nowhere smaller than that of the right side. Equations follow in the
 same way, so that no antiderivative is looked for where the other side is one. Integrand and
-expression are shown to be continuous on the closed interval. What fails refutes nothing.
+expression are shown to be continuous on the closed interval. Several integrals over one interval
+count as that of their sum. What fails refutes nothing.
 """
 
 from __future__ import annotations
@@ -18,7 +19,17 @@ from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import derivative, elementary, outermost, worked_out
 from tresym.reals.language.comparisons import Comparison
-from tresym.reals.language.expression import ZERO, Expr, fresh, opened, substitute, symbol, symbols
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    add,
+    fresh,
+    opened,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.formula import MIRRORED
 from tresym.reals.signs.definedness import undefined
 from tresym.reals.signs.interior import jumps
@@ -29,31 +40,33 @@ Decide = Callable[[Comparison, Statement], Answer]
 
 
 def decide_by_integrand(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
-    """Return a proof that one integral equals, or is above or below, an expression, or None."""
-    nodes = list(outermost(claim.left, claim.right))
-    if len(nodes) != 1 or nodes[0].op != "integral" or claim.derivatives:
+    """Return a proof of a comparison with integrals over one interval, or None."""
+    nodes = list(dict.fromkeys(outermost(claim.left, claim.right)))
+    if any(node.op != "integral" for node in nodes) or claim.derivatives or not nodes:
         return None
     if (
         claim.relation not in MIRRORED
         or claim.relation == "!="
         or statement.path is not None
         or statement.equations
+        or len({node.args[1:] for node in nodes}) > 1
     ):
         return None
-    node = nodes[0]
-    sides = (claim.left, claim.right)
-    if node not in sides or not elementary(*node.args[1:], *(s for s in sides if s != node)):
+    low, high = nodes[0].args[1:3]
+    marks = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
+    gap = replaced(claim.left - claim.right, marks)
+    if not elementary(gap, low, high):
         return None
-    sign, other = (
-        (claim.relation, claim.right) if claim.left == node
-        else (MIRRORED[claim.relation], claim.left)
-    )  # fmt: skip
-    taken = frozenset().union(*map(symbols, (*node.args[1:], other)), statement.given.names)
-    (name,), body = opened(node)
-    t = fresh(name, taken)
-    f = worked_out(substitute(body, {name: symbol(t)}))
-    low, high = node.args[1:3]
-    if not elementary(f):
+    t = fresh("t", frozenset().union(*map(symbols, (*nodes, gap)), statement.given.names))
+    terms = []
+    for node, mark in marks.items():
+        share = worked_out(derivative(gap, str(mark.args[0])))
+        (name,), body = opened(node)
+        terms.append(share * substitute(body, {name: symbol(t)}))
+    f, sign = worked_out(add(*terms)), claim.relation
+    other = -substitute(gap, {str(mark.args[0]): ZERO for mark in marks.values()})
+    known = {str(mark.args[0]) for mark in marks.values()}
+    if not elementary(f, other) or known & (symbols(f) | symbols(other)):
         return None
     x = symbol(t)
     closed = statement.given & Given(((x, ">=", low), (x, "<=", high)))
