@@ -1,5 +1,6 @@
 """A part reads like its section: each display of the paper is named at the top of its file."""
 
+import re
 from importlib import import_module
 
 import pytest
@@ -19,6 +20,15 @@ def test_each_display_is_named_in_the_docstring_of_its_part(part: str) -> None:
         if claim.where is not None and claim.where.display is not None:
             named = {claim.label, names.get(claim, claim.label)}
             assert any(f"`{name}`" in str(module.__doc__) for name in named), claim.label
+
+
+def test_a_file_uses_only_parts_before_it() -> None:
+    place = {part: n for n, part in enumerate(PARTS)}
+    for part in PARTS:
+        path = racket().source_of(part)
+        used = re.findall(r"^use .* from (\w+)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+        assert path.suffix == ".py" or used, part
+        assert all(place.get(other, -1) < place[part] for other in used), (part, used)
 
 
 def test_a_claim_of_a_part_has_a_label() -> None:
