@@ -20,7 +20,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from tresym.proofs import exponent, implicit_function, slope
+from tresym.proofs import exponent, implicit_function, moments, slope
 from tresym.proofs.asymptotics import (
     DEFECT_SLOPE,
     printed_error,
@@ -31,7 +31,6 @@ from tresym.proofs.asymptotics import (
     slope_leading_term,
 )
 from tresym.proofs.conditions import STANDARD, shape, standard_racket
-from tresym.proofs.moments import fourth_moment
 from tresym.proofs.near import (
     BY_KAPPA,
     BY_LAMBDA,
@@ -353,6 +352,19 @@ _near_tangent = (
     gamma >= -b * epsilon0**2,
 )
 
+_FOURTH_MOMENT = (
+    moments.split_integrand,
+    moments.split_rest,
+    moments.split_logarithm,
+    moments.mean_below_the_first,
+    moments.mean_is_positive,
+    moments.moment_by_powers,
+    moments.mean_of_the_product,
+    moments.moment_over_sine,
+    moments.moment_below_cosecant,
+)
+"""What the enclosure of the second derivative rests on."""
+
 eq_epsilon_gen = Claim(
     says=equal(epsilon, epsilon0 + gamma * _derivative + O(gamma**2)),
     means=Abs(epsilon - epsilon0 - gamma * DEFECT_SLOPE) <= 2 * _bent,
@@ -363,7 +375,13 @@ eq_epsilon_gen = Claim(
         ("b", "kappa", "v"),
         "ab >= 1/4, 0 < b <= 1, |gamma| <= b epsilon0^2",
         as_rational("2"),
-        (one_flip_defect, exponent.logarithmic_equation, slope.d55, slope_by_phase, *fourth_moment),
+        (
+            one_flip_defect,
+            exponent.logarithmic_equation,
+            slope.d55,
+            slope_by_phase,
+            *_FOURTH_MOMENT,
+        ),
         certificate("eq_epsilon_gen"),
         meant=Meant(
             in_bent_chart(),
