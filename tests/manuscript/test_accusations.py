@@ -175,7 +175,7 @@ def test_no_piece_of_a_function_stands_for_it(text: str, tmp_path: Path) -> None
 NUMBERS = {
     r"\[ 36,000,000 \cdot 2 = 72,000,000 \]": "PROVED",
     r"\[ 36{,}000 \cdot 2 = 72\,000 \]": "PROVED",
-    r"\[ 1,164.24 = 2 \cdot 582.12 \]": "ENCLOSED",
+    r"\[ 1,164.24 = 2 \cdot 582.12 \]": "PROVED",
     r"\[ F = 2 \cdot 11027 = 22,054 \]": "UNREAD",
     r"\[ 2,5 \cdot 2 = 5 \]": "UNREAD",
     r"\[ \frac{32}{3} = 10.\overline{6} \]": "PROVED",

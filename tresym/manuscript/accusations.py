@@ -68,6 +68,7 @@ class DoubtKind(Enum):
     SEQUENCE = "a limit of a sequence"
     FAR = "a definition in another paragraph"
     SUMMED = "an index may be summed over"
+    SOUGHT = "a symbol is determined by the expansion"
 
 
 class Doubt(NamedTuple):
@@ -140,7 +141,7 @@ def ground(
             doubt(DoubtKind.UNREAD, f"{x} depends on something that was not read")
     variable = path.split(" ")[0]
     for x in sorted(_of_path(left, relation, right, variable) if variable else ()):
-        doubt(DoubtKind.UNREAD, f"{x} may depend on {variable}, or be determined by the expansion")
+        doubt(DoubtKind.SOUGHT, f"{x} may depend on {variable}, or be determined by the expansion")
     if n == 0 and head is not None and not explicit:
         doubt(DoubtKind.DEFINITION, f"it may define {head.name}")
     if relation in _BOUNDS and names and not explicit:

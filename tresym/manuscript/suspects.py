@@ -171,6 +171,8 @@ def may_be(row: Row) -> bool:
     kinds -= _WORDS if meant else {DoubtKind.FAR} if vary else set()
     if link.goes_on or _of_terms(left, right):
         kinds -= {DoubtKind.FUNCTION}
+    if link.goes_on and elementary(left, right):
+        kinds -= {DoubtKind.UNREAD}  # a derivative that both sides contain, if a repair is found
     if kinds or _has_constants(left, right):
         return False
     if relation != "==":
@@ -293,6 +295,8 @@ def reason(row: Row, instead: Sequence[Alternative], others: Sequence[str]) -> s
             else f"{fails}; a statement close to it holds"
         )
     if relation != "==" or not row.refuted:
+        return ""
+    if any(doubt.kind is DoubtKind.UNREAD for doubt in row.link.ground.doubts):
         return ""
     link = row.link
     sides = (link.sides[0], link.sides[2]) if link.sides else ()
