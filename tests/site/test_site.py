@@ -5,6 +5,8 @@ import re
 from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 from xml.etree import ElementTree
 
 import pytest
@@ -18,6 +20,7 @@ from tresym.report.typesetting.markdown import finding, sentence
 from tresym.report.typesetting.statements import display
 from tresym.site import claims, commands, graph, links
 from tresym.site.docstrings import restructured
+from tresym.site.extension import share_tree
 
 ROOT = Path(__file__).resolve().parents[2]
 SOME = tuple(cases(__file__, "SOME"))
@@ -321,3 +324,21 @@ def test_long_commands_fit_the_boxes_of_the_site() -> None:
     lines = on_lines(long).split("\n")
     assert all(len(line) <= COLUMNS for line in lines)
     assert " ".join(line.rstrip("\\").strip() for line in lines) == long
+
+
+def test_the_tree_of_pages_is_resolved_once_for_a_folder_of_claims() -> None:
+    asked: list[str] = []
+    kept: dict[object, str] = {}
+    app = SimpleNamespace(env=SimpleNamespace(toctree_includes={"index": ["claims/index"]}))
+
+    def beside(page: str, **options: bool) -> str:
+        context: dict[str, Any] = {"toctree": lambda **_: asked.append(page) or f"{page} {options}"}
+        share_tree(kept, app, page, "page.html", context)  # type: ignore[arg-type]
+        return str(context["toctree"](**options))
+
+    assert beside("claims/a") == beside("claims/b")
+    assert beside("claims/index") != beside("claims/a")  # its own entry is marked
+    assert beside("atlas/a") != beside("claims/a")  # links lead from another folder
+    assert beside("search") != beside("index")
+    assert beside("claims/a", collapse=True) != beside("claims/a")
+    assert asked.count("claims/b") == 0

@@ -6,7 +6,7 @@ import html
 import json
 import re
 import shutil
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -214,6 +214,31 @@ def write_data(app: Sphinx, error: Exception | None) -> None:
         (folder / name).write_text(page, encoding="utf-8")
 
 
+def share_tree(
+    kept: dict[object, str],
+    app: Sphinx,
+    page: str,
+    _template: str,
+    context: dict[str, Any],
+    *_: Any,
+) -> None:
+    """Resolve the tree of pages once for all pages of a folder that do not stand in it.
+
+    Hundreds of claims have the same tree beside them, of which no entry is the page itself.
+    """
+    folder, resolve = page.rpartition("/")[0], context.get("toctree")
+    if not folder or resolve is None or any(page in p for p in app.env.toctree_includes.values()):
+        return
+
+    def tree(**options: Any) -> str:
+        key = folder, *sorted(options.items())
+        if key not in kept:
+            kept[key] = resolve(**options)
+        return kept[key]
+
+    context["toctree"] = tree
+
+
 class ClaimDirective(SphinxDirective):
     """The directive ``{claim} LABEL``: a statement, its verdict and a link to its page."""
 
@@ -419,6 +444,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_html_math_renderer("mathml", (visit_inline, None), (visit_block, None))
     app.add_directive("claim", ClaimDirective)
     app.add_directive("charts", ChartsDirective)
+    app.connect("html-page-context", partial(share_tree, {}), priority=400)  # before the theme
     app.connect("build-finished", copy_explorer)
     app.connect("build-finished", write_data)
     app.connect("doctree-read", link_labels)
