@@ -7,17 +7,23 @@ suggestion is decided like any claim.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from flint import fmpq
 
 from tresym.asymptotics.expansion import terms_of
 from tresym.asymptotics.explicit_terms import Terms
 from tresym.asymptotics.schemes import true_order
 from tresym.checking.dispatch import decide_within_limits
 from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.closed_values import certified_evaluation
 from tresym.reals.decisions.statement import Statement
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import UndefinedError
 from tresym.reals.expansions.limit_values import limit_of
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.comparisons import LIMIT, Comparison
 from tresym.reals.language.expression import (
     ONE,
@@ -26,15 +32,21 @@ from tresym.reals.language.expression import (
     Expr,
     add,
     multiply,
+    number,
+    opened,
     rebuild,
+    symbol,
     symbols,
 )
 from tresym.reals.normal.to_expression import normal_form
+from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.interior import is_zero
 from tresym.repair.agreement import Claim
 from tresym.repair.like_terms import collected, over_one_bar
 
+LARGEST_DENOMINATOR = 24
+"""Of a rational multiple of what the author wrote."""
 MORE = 3
 """How many terms more than those of the claim are looked for."""
 
@@ -79,17 +91,19 @@ def true_expansions(claim: Claim) -> Iterator[tuple[Claim, str]]:
         yield claim._replace(terms=(f, add(*edited))), f"the error is O({weaker_by_one})"
         return
     stated = add(ZERO, *(part for part in parts if part.op not in ORDERS))
-    same = _terms(f, statement, count) if count else None
+    known, under = _root_by_equation(f, claim, statement)
+    same = _terms(known, under, count) if count else None
     if same is not None and same.gauge and is_zero(add(*same.terms) - stated, Given()):
         weaker = rebuild(order, (same.gauge,))
         edited = tuple(weaker if part == order else part for part in parts)
         yield claim._replace(terms=(f, add(*edited))), f"the error is of the order {same.gauge}"
     for more in range(count + MORE):
-        found = _terms(f, statement, more) if more or count else None
+        found = _terms(known, under, more) if more or count else None
         if found is None:
             continue
         gauge = found.gauge
         if gauge is None or _is_small(gauge, order, statement):
+            found = found._replace(terms=_in_the_words_of(stated, found.terms, statement))
             shown = [over_one_bar(term) for term in found.terms]
             terms = add(*shown, order) if shown else order
             wrong = _wrong_coefficient(stated, found, statement)
@@ -133,6 +147,22 @@ def _in_product(claim: Claim, factor: Expr, inner: Expr) -> Iterator[tuple[Claim
         yield claim._replace(terms=(f, multiply(better, edited))), why
 
 
+def _root_by_equation(f: Expr, claim: Claim, statement: Statement) -> tuple[Expr, Statement]:
+    """Return ``root(F, x, a, b)`` as x, with a claim about it under the equation F == 0."""
+    if f.op != "root":
+        return f, statement
+    (name,), equation = opened(f, sorted(frozenset().union(*map(symbols, claim.terms))))
+    low, high = f.args[1:3]
+    given = [(equation, "==", ZERO)]
+    given += [(low, "<", symbol(name))] if low != -INFINITY else []
+    given += [(symbol(name), "<", high)] if high != INFINITY else []
+    other = claim._replace(terms=(symbol(name), *claim.terms[1:]), given=(*given, *claim.given))
+    try:
+        return symbol(name), read(other.text(""))
+    except InputError:
+        return f, statement
+
+
 def _wrong_coefficient(stated: Expr, found: Terms, statement: Statement) -> str:
     """Name the first coefficient that is not the true one; nothing if the terms differ otherwise.
 
@@ -151,6 +181,41 @@ def _wrong_coefficient(stated: Expr, found: Terms, statement: Statement) -> str:
                 return f"the term {coefficient * power} is missing"
             return f"the coefficient of {power} is {coefficient}, not {said}"
     return ""
+
+
+def _in_the_words_of(stated: Expr, terms: Sequence[Expr], statement: Statement) -> tuple[Expr, ...]:
+    """Return terms with coefficients as multiples of the stated ones, where they are such.
+
+    The true coefficient ``2*tan(1)/(tan(1)**2 + 1)`` beside a stated ``sin(2)`` is ``sin(2)``.
+    """
+    assert statement.path is not None
+    name = statement.path.name
+    parts = stated.args if stated.op == "+" else (stated,)
+    written = [_split(collected(t), name) for t in parts]
+    shown = []
+    for term in terms:
+        coefficient, power = _split(collected(term), name)
+        said = add(ZERO, *(c for c, p in written if p == power))
+        multiple = _multiple(coefficient, said)
+        shorter = multiple is not None and len(str(multiple)) < len(str(coefficient))
+        shown.append(multiple * power if multiple is not None and shorter else term)
+    return tuple(shown)
+
+
+def _multiple(coefficient: Expr, said: Expr) -> Expr | None:
+    """Return a simple rational multiple of a constant that equals another, or None."""
+    if said == ZERO or symbols(said) | symbols(coefficient):
+        return None
+    try:
+        with ball_precision():
+            ratio = certified_evaluation().value(coefficient / said)
+    except (UndefinedError, InputError):
+        return None
+    if not ratio.is_finite():
+        return None
+    near = Fraction(float(ratio.mid())).limit_denominator(LARGEST_DENOMINATOR)
+    found = number(fmpq(near.numerator, near.denominator)) * said
+    return found if is_zero(coefficient - found, Given()) else None
 
 
 def _split(term: Expr, name: str) -> tuple[Expr, Expr]:

@@ -389,6 +389,8 @@ def _verdict(row: Row, item: PaperClaim, look: Style) -> str:
         return f"{head}{look.strong('assumed, not proved here')}: {reason}."
     answer = row.decisive
     if row.verdict is Verdict.REFUTED:
+        told = [one.edit for one in row.instead[:1] if one.edit.startswith("the coefficient of")]
+        reason = _reason(told[0], look, known) if told else reason  # the failure at a glance
         text = f"{head}{look.strong('false')}: {reason}."
         text += "".join(
             f" True is {look.formula(in_latex(_with_given(one.claim, one.given)))}."
