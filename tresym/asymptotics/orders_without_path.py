@@ -63,10 +63,10 @@ def decide_without_path(claim: Comparison, statement: Statement, decided: Decide
     """
     answer = _for_all_values(claim, statement, decided)
     names = symbols(claim.left) | symbols(claim.right)
-    free = sorted(names - set(statement.given.box))
+    free = sorted(names - statement.given.names)
     if answer.verdict is not Verdict.REFUTED or not free:
         return answer
-    why = f"it does not hold for all values ({answer.why}): give a path, or a range of "
+    why = f"it does not hold for all values ({answer.why}): give a path, or conditions on "
     return Answer(Verdict.UNDECIDED, why + ", ".join(free))
 
 

@@ -301,10 +301,9 @@ def _checked(statement: Statement) -> Statement:
 def _without_path(statement: Statement) -> bool:
     """Return whether an order without a path is one for all values of its variables.
 
-    It is if every variable is said to be in a range, or if there are several: with one variable of
+    It is if something is said of every variable, or if there are several: with one variable of
     which nothing is said a path was forgotten, as in ``sin(x) == x + O(x**3)``.
     """
     (claim,) = statement.comparisons
     names = symbols(claim.left) | symbols(claim.right)
-    box = statement.given.box
-    return len(names) > 1 or (bool(names) and all(n in box for n in names))
+    return len(names) > 1 or (bool(names) and names <= statement.given.names)
