@@ -349,6 +349,13 @@ def answer_text(answer: Answer, colour: bool = False, columns: int = 0) -> str:
         rows = [row for row in rows if row[0] not in ("witness", "left side", "right side")]
         place = next((n for n, row in enumerate(rows) if row[0] == "instead"), len(rows))
         rows.insert(place, ("on the way", seen))
+    edit = answer.instead[0].edit if answer.instead else ""
+    if edit.startswith("the coefficient of "):  # the failure at a glance
+        place = next(
+            (n for n, row in enumerate(rows) if row[0] in ("note", "on the way")), len(rows)
+        )
+        rows.insert(place, ("because", sentence))
+        sentence = edit
     if answer.line is not None:
         rows.insert(0, ("line", str(answer.line)))
     seconds = answer.seconds

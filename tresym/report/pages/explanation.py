@@ -125,6 +125,8 @@ class Explanation:
             yield f"{strong.format(name)} {words(answer.lemma[0].upper() + answer.lemma[1:])}.\n"
         if not answer.lemma or not self.steps:
             reason = _reason(answer)
+            edit = answer.instead[0].edit if answer.instead else ""
+            reason = f"{edit}: {reason}" if edit.startswith("the coefficient of") else reason
             yield f"{strong.format('Reason.')} {words(reason[:1].upper() + reason[1:])}.\n"
         elif (note := answer.why.partition("; ")[2]) and answer.verdict.holds:
             yield f"{strong.format('It gives')} {words(note)}.\n"
