@@ -40,6 +40,13 @@ def test_a_sum_is_stated_with_its_terms() -> None:
     )
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_files_of_lemmas_are_there_with_those_that_they_use(kind: str) -> None:
+    text = bound(theorems(read(cases(__file__, kind)[0])))
+    for lemma in ("whole_beside", "root_by_residual", "by_antiderivative"):
+        assert f"Lemma {lemma} " in text
+
+
 @pytest.mark.parametrize(
     "claim",
     [

@@ -145,10 +145,12 @@ def bound(theorems: Iterable[Theorem | BoundTheorem]) -> str:
     found = [*theorems]
     bounds = [theorem for theorem in found if isinstance(theorem, BoundTheorem)]
     roots = any(isinstance(t, Theorem) and has_residual(t) for t in found)
-    names = ["Bound.v"] if bounds or roots else []
-    names += ["Orders.v"] if any(theorem.statement.path for theorem in bounds) else []
     sums = any(sums_in(t.claim.left) for t in bounds if t.statement.path is not None)
-    names += ["Lemmas.v"] if roots or sums else []
+    orders = any(theorem.statement.path for theorem in bounds)
+    names = ["Bound.v"] if bounds else []
+    names += ["Orders.v"] if orders else []
+    if roots or sums:  # each file uses those before it
+        names = ["Bound.v", "Orders.v", "Lemmas.v"]
     texts = (files("tresym.coq").joinpath(name).read_text(encoding="utf-8") for name in names)
     return "\n".join(texts)
 
