@@ -87,7 +87,7 @@ def test_a_derivative_at_a_point_is_taken_before_the_value_is_put_in() -> None:
 
 def test_values_must_satisfy_the_declared_conditions() -> None:
     text = "e real; given 0 <= e < 1\ninside: e < 3/4 at e == 1/2\noutside: e > 1 at e == 2\n"
-    assert verdicts(text) == {"inside": "ENCLOSED", "outside": "UNDECIDED"}
+    assert verdicts(text) == {"inside": "PROVED", "outside": "UNDECIDED"}
 
 
 def test_a_path_on_which_a_condition_fails_decides_nothing() -> None:
