@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any
 
 from tresym.coq import export
@@ -62,6 +62,13 @@ def found(labels: tuple[str, ...] | None = None) -> dict[str, Entry]:
     return entries(stored(), labels)
 
 
+@cache
+def _rows() -> dict[str, Any]:
+    """Return what is stored of each proof; reading it takes as long as showing a claim."""
+    rows: dict[str, Any] = stored()["claims"]
+    return rows
+
+
 def mark(row: Row, known: dict[str, Entry]) -> dict[str, Any] | None:
     """Return the theorem of a claim and its status, with the theorems that the claim quotes.
 
@@ -101,7 +108,7 @@ def shown(of: Row, known: dict[str, Entry]) -> dict[str, Any] | None:
     marked, label = mark(of, known), of.claim.label
     if marked is None:
         return None
-    entry, row = known[label], stored()["claims"][label]
+    entry, row = known[label], _rows()[label]
     assert entry.theorem is not None
     text = f"Theorem {name_of(label)} :\n{export.stated(label, known)}."
     return marked | {
