@@ -18,7 +18,7 @@ from itertools import groupby, pairwise
 from tresym.checking.time_limited import Task, check_all, check_within
 from tresym.manuscript import prose
 from tresym.manuscript.classification import DEFINED, EQUATION
-from tresym.manuscript.deciding import PASSES, Row
+from tresym.manuscript.deciding import PASSES, Row, under_also
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
@@ -63,6 +63,8 @@ _SCALED = re.compile(
     r"(?:m|g|s|N|J|W|V|A|Pa|Hz|eV|cal|L|mol)(?![a-zA-Z])"
 )
 """Units with a prefix."""
+_ANGLES = re.compile(r"\brad\b|\\circ|[dD]eg|180")
+_OR = re.compile(r"(?<![a-zA-Z\\])or(?![a-zA-Z])")
 _WAVES = frozenset(("sin", "cos", "tan", "log", "exp"))
 _SENTENCE = re.compile(r"[^.!?]+[.!?]")
 _LINE = re.compile(r"\blines? (\d+)")
@@ -92,7 +94,13 @@ def _excused(row: Row) -> Row:
     elif _is_of_order(row):
         excuse = "the sign may mean the same order, as Theta does"
     elif _in_other_unit(row):
-        excuse = "the sides may be in units that differ by a power of ten"
+        excuse = "the sides may be in different units"
+    elif not row.instead and _is_to_be_solved(row):
+        excuse = "an equation for the symbol that stands alone on one side of it"
+    elif "\\pm" in row.link.display.text and _OR.search(row.link.display.text):
+        excuse = "each sign may have a value of its own"
+    elif _is_solution_of_some(row):
+        excuse = "a solution for some values of the other symbols, or with rounded numbers"
     elif (alike := _with_longer_sums(row)) and _holds(alike):
         excuse = f"it holds as {alike}, if what follows is meant to belong to it"
     if not excuse:
@@ -132,6 +140,34 @@ def _holds(claim: str) -> bool:
         return False
 
 
+def _is_to_be_solved(row: Row) -> bool:
+    """Whether one side is a symbol that the other one contains, x = sqrt(1 - x^2)."""
+    left, relation, right = row.link.sides or (ZERO, "", ZERO)
+    pairs = ((left, right), (right, left))
+    return relation == "==" and any(
+        one.op == "symbol" and symbols(one) < symbols(other) | {""} and str(one) in symbols(other)
+        for one, other in pairs
+    )
+
+
+def _is_solution_of_some(row: Row) -> bool:
+    """Whether a solution, which fails, contains decimals or fails for negative numbers only."""
+    if not row.why.startswith("it does not solve"):
+        return False
+    if re.search(r"\d\.\d", row.link.shown):
+        return True
+    left, _, right = row.link.sides or (ZERO, "", ZERO)
+    names = sorted(name for name in symbols(left) | symbols(right) if name in row.refuted)
+    more = [f"{name} > 0" for name in names] + [f"{n} integer" for n in names if n in "nmk"]
+    if not more or not row.refuted or " as " in row.refuted:
+        return False
+    try:
+        found = check_within(Task(under_also(row.refuted, ", ".join(more))), 2.0)
+    except InputError:
+        return False
+    return found.verdict is not Verdict.REFUTED
+
+
 def _is_of_order(row: Row) -> bool:
     """Whether sides of a ~ differ by a constant factor, and the right one is a bare power: n(n +
     1)/2 ~ n^2."""
@@ -146,10 +182,14 @@ def _in_other_unit(row: Row) -> bool:
     left, relation, right = row.link.sides or (ZERO, "", ZERO)
     if relation != "==" or symbols(left) | symbols(right) or not elementary(left, right):
         return False
-    if not _SCALED.search(row.link.display.text):
-        return False
+    text = row.link.display.text
     with ball_precision():
         ratio = evaluate(left / right, {}) if right != ZERO else None
+        turned = [] if ratio is None else [ratio / 57.29578, ratio * 57.29578]
+    if _ANGLES.search(text) and any(abs(one - 1) < 0.01 for one in turned):
+        return True
+    if not _SCALED.search(text):
+        return False
     powers = [ratio * 10**n for n in range(-12, 13) if n] if ratio is not None else []
     return any(abs(power - 1) < 0.05 for power in powers)
 

@@ -186,7 +186,8 @@ def _rows(tokens: list[str]) -> list[_Cell]:
     columns: list[int] = []
     rows = _split(tokens, "\\\\")
     for n, row in enumerate(rows):
-        split = [_without_gaps(cell) for cell in _split(row, "&")]
+        raw = _split(row, "&")
+        split = [_without_gaps(cell) for cell in raw]
         heading = [cell[:1] == [CONDITION] for cell in split if cell]
         if all(heading) and len(heading) > bool(cells) and any(rows[1:]):
             heads = {n: [t for t in cell if t != ":"] for n, cell in enumerate(split) if cell}
@@ -198,6 +199,9 @@ def _rows(tokens: list[str]) -> list[_Cell]:
             own = _of_column(cells, columns, column, n) if cell[0] in RELATIONS else -1
             if own >= 0:  # it goes on below its own equation, of several beside each other
                 cells[own] = _Cell(cells[own].tokens + cell, n, cells[own].opens)
+            elif column and raw[column - 1][-1:] == [GAP] and _begins_anew(cells, cell):
+                cells.append(_Cell(cell, n, column == 0))
+                columns.append(column)
             elif cells and _goes_on(cells[-1].tokens, cell, after, column, row):
                 cells[-1] = _Cell(cells[-1].tokens + cell, n, cells[-1].opens)
             else:
@@ -205,6 +209,12 @@ def _rows(tokens: list[str]) -> list[_Cell]:
                 columns.append(column)
     pairs = zip(cells, columns, strict=True)
     return [cell._replace(tokens=cell.tokens + heads.get(c, [])) for cell, c in pairs]
+
+
+def _begins_anew(cells: list[_Cell], cell: list[str]) -> bool:
+    """Whether a cell behind a gap begins a statement, as the one before it is complete."""
+    complete = bool(cells) and _relation_in(cells[-1].tokens)
+    return complete and (cell[0][:1].isalnum()) and cell[0] != CONDITION
 
 
 def _of_column(cells: list[_Cell], columns: list[int], column: int, row: int) -> int:

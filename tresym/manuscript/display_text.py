@@ -72,6 +72,10 @@ _FOR = re.compile(
     r"|for real|for all real)"
 )
 _ALL = re.compile(r"for (?:all|any|every|each)\b")
+_REMARK = re.compile(
+    r"\s*\(\s*(?:divid|multipl|add|subtract|by|us|factor|cancel|substitut|simplif|replac|tak)[a-z]*\s"
+)
+"""How a step was made, in brackets: "(divide by $x$)"."""
 _WITHOUT = re.compile(
     r"(?:here|then|so|so that|hence|thus|therefore|or equivalently|i\.e\.|which is"
     r"|that is|resp\.?|respectively)"
@@ -159,6 +163,9 @@ def _spoken(found: re.Match[str], words: list[str]) -> str:
     if ahead.endswith(("_", "^", "_{", "^{")):
         return found[0]
     pieces = re.split(r"\$([^$]*)\$", text)
+    if _REMARK.match(text) and len(pieces) > 1:
+        words.append(" ".join(text.split()))
+        return f" {GAP} {WORDS} "
     result = ""
     for n, piece in enumerate(pieces):
         if n % 2:
