@@ -103,6 +103,10 @@ NIGHT = frozenset((TESTS / "data" / "night.txt").read_text(encoding="utf-8").spl
 """Parameters of tests that take more than half a second each, and wait for the night."""
 
 
+SLOW = frozenset((TESTS / "data" / "slow.txt").read_text(encoding="utf-8").splitlines())
+"""Tests that take more than 0.3 seconds each, which `pytest` alone leaves out."""
+
+
 TOOLS = ("dev/mutants/", "dev/corpus/", "report/charts/test_charts.py")
 """Tests of what only developers run, and of charts of measurements, which wait for the night."""
 
@@ -126,6 +130,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         inner = item.path.relative_to(TESTS).as_posix()
         if _values(item) in NIGHT or inner.startswith(TOOLS):
             item.add_marker("night")
+        if item.nodeid.removeprefix("tests/") in SLOW:
+            item.add_marker("slow")
         marks = {mark.name for mark in item.iter_markers()}
         if "whole" in getattr(item, "fixturenames", ()) and "night" not in marks:
             item.add_marker("slow")  # the whole ledger is judged first
