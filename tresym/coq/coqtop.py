@@ -148,7 +148,6 @@ class Dialogue:
             self.process = subprocess.Popen(
                 ["coqtop", "-q", *library(self.lemmas)],
                 cwd=self.folder.name,
-                env={"OCAMLRUNPARAM": "s=4M"} | os.environ,  # collects garbage less often
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT,
