@@ -144,9 +144,10 @@ def _is_to_be_solved(row: Row) -> bool:
     """Whether one side is a symbol that the other one contains, x = sqrt(1 - x^2)."""
     left, relation, right = row.link.sides or (ZERO, "", ZERO)
     pairs = ((left, right), (right, left))
-    return relation == "==" and any(
-        one.op == "symbol" and symbols(one) < symbols(other) | {""} and str(one) in symbols(other)
-        for one, other in pairs
+    return (
+        relation == "=="
+        and elementary(left, right)
+        and any(one.op == "symbol" and str(one) in symbols(other) for one, other in pairs)
     )
 
 
