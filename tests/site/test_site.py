@@ -112,7 +112,7 @@ def test_pages_tell_no_time_but_a_saved_one(ledger: claims.Record) -> None:
 
 def test_the_page_of_a_chain_links_its_reasons(ledger: claims.Record) -> None:
     page = dict(claims.pages(ledger, {}))["eq_gamma.md"]
-    assert "by [`eq_Mi`](/claims/eq_Mi.md), trigonometry" in page
+    assert "by [`eq_Mi`](/claims/eq_Mi.md)" in page
     assert "$$\n= \\frac{2I_2E}{M^2}-1\n$$" in page
 
 
