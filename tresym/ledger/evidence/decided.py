@@ -186,9 +186,8 @@ def judge_decided(claim: Claim, proof: Decided) -> Finding:
     answers = [_decided(r, asked, meant, proof.variables is None) for r in relations]
     free = not (_names(relations) & _open_symbols(claim, rules)) and proof.variables is None
     constant = None if proof.constant is None else decimal(proof.constant)
-    region = ", ".join(map(str, claim.given)) or None
     found = _found(answers, free and proof.restricts_nothing)
-    return replace(found, constant=constant, region=region) if found.verdict.holds else found
+    return _with_region(replace(found, constant=constant), claim) if found.verdict.holds else found
 
 
 def _whole(claim: Claim, proof: Decided, says: Basic, rules: Rules, given: Conditions) -> Finding:
@@ -244,9 +243,14 @@ def _by_steps(claim: Claim, proof: Decided, says: Basic, given: Conditions) -> F
                 answers.append(_decided(r, asked, meant, True))
             left = right
         need(left == last, "a chain must end at the right side of the equation")
-    found = _found(answers, False)
-    region = ", ".join(map(str, claim.given)) or None
-    return replace(found, region=region) if found.verdict.holds else found
+    return _with_region(_found(answers, False), claim)
+
+
+def _with_region(found: Finding, claim: Claim) -> Finding:
+    """The finding with the conditions as the region on which balls enclosed the statement."""
+    if found.verdict is not Verdict.ENCLOSED:
+        return found
+    return replace(found, region=", ".join(map(str, claim.given)) or None)
 
 
 def _equivalent(first: Basic, second: Basic, rules: Rules, given: Conditions) -> Answer:
