@@ -140,7 +140,7 @@ def ground(
         if base_of(x) != x:
             doubt(DoubtKind.UNREAD, f"{x} depends on something that was not read")
     variable = path.split(" ")[0]
-    for x in sorted(_of_path(left, relation, right, variable) if variable else ()):
+    for x in sorted(sought_on_path(left, relation, right, variable) if variable else ()):
         doubt(DoubtKind.SOUGHT, f"{x} may depend on {variable}, or be determined by the expansion")
     if n == 0 and head is not None and not explicit:
         doubt(DoubtKind.DEFINITION, f"it may define {head.name}")
@@ -162,7 +162,7 @@ def ground(
     return Ground(tuple(doubts), explicit, universal, reach, left == right, places, bounds)
 
 
-def _of_path(left: Expr, relation: str, right: Expr, variable: str) -> set[str]:
+def sought_on_path(left: Expr, relation: str, right: Expr, variable: str) -> set[str]:
     """Return the symbols of an expansion that are no parameters: terms of a sequence with its
     index, y_n, and a constant that stands on its right side alone."""
     names = symbols(left) | symbols(right)

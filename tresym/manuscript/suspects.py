@@ -21,7 +21,7 @@ from itertools import groupby
 
 from tresym.checking.time_limited import Task, check_within
 from tresym.manuscript import prose
-from tresym.manuscript.accusations import DoubtKind
+from tresym.manuscript.accusations import DoubtKind, sought_on_path
 from tresym.manuscript.aftermath import settled
 from tresym.manuscript.classification import (
     ASSUMED,
@@ -87,6 +87,7 @@ _WORDS = frozenset((DoubtKind.SENTENCE, DoubtKind.FAR, DoubtKind.FUNCTION))
 """Reasons that the form of an equality may outweigh: words around it, definitions elsewhere."""
 _OPEN = (Cause.NO_POINT, Cause.NO_VALUE)
 """What stopped the decision of an equality that may nevertheless be a misprint."""
+_PATH = re.compile(r" as (\w+) -> ")
 _BOUNDS = frozenset(("<", "<=", ">", ">="))
 _STRICT = re.compile(r" ([<>])=? ")
 _RELATIONS = frozenset(("==", "<", "<=", ">", ">="))
@@ -158,6 +159,9 @@ def may_be(row: Row) -> bool:
     if row.status not in (EQUATION, "UNDECIDED") or link.sides is None or row.holds_given:
         return False
     left, relation, right = link.sides
+    path = _PATH.search(link.claims[0].text) if link.claims else None
+    if path and sought_on_path(left, relation, right, path[1]):
+        return False
     vary = link.same and bool(symbols(left)) and bool(symbols(right))
     if relation not in _RELATIONS:
         return False
