@@ -77,7 +77,7 @@ def parts(names: tuple[str, ...] = PARTS) -> tuple[tuple[str, tuple[Claim, ...]]
     found = {part: _file(part) or import_module(f"tresym.proofs.{part}") for part in names}
     # The file that states a claim is done before any that takes it from there, whatever the order
     # of the parts; `sys.modules` has them in the order in which they were done.
-    done = {name.rpartition(".")[2]: n for n, name in enumerate(sys.modules) if "proofs" in name}
+    done = {name.partition("proofs.")[2]: n for n, name in enumerate(sys.modules)}
     stated: dict[Claim, str] = {}
     for part in sorted(found, key=lambda part: done.get(part, -1)):
         for claim in _named_in(found[part]):
