@@ -118,7 +118,7 @@ CLAIMS = [
     ("sign(x) > 0", "x >= 0", REFUTED),
     ("sign(x) >= 0", "x >= 0", PROVED),
     ("sign(x) + sign(-x) >= 0", "", PROVED),
-    ("sign(x)**2 <= 1", "", ENCLOSED),
+    ("sign(x)**2 <= 1", "", PROVED),
     ("atan2(y, x) <= pi", "", ENCLOSED),
     ("atan2(y, x) < pi", "", REFUTED),
     ("atan2(y, x)**2 <= 10", "", ENCLOSED),
