@@ -65,6 +65,12 @@ def test_a_false_closed_form_or_expansion_is_refuted(text: str, tmp_path: Path) 
         # units that are not known, or rounded numbers of them
         (r"\[ \SI{5}{\celsius} = \SI{278}{\kelvin} \]", "UNREAD"),
         (r"\[ \SI{5}{\kilo\meter} = 5\,\mathrm{km} \]", "UNREAD"),
+        # metres are no seconds
+        (r"\[ 5\,\mathrm{km} = 5000\,\mathrm{s} \]", "UNREAD"),
+        (r"\[ 5\,\mathrm{kg} \cdot 2\,\mathrm{m/s^2} = 10\,\mathrm{J} \]", "UNREAD"),
+        (r"\[ 3\,\mathrm{m} + 2\,\mathrm{s} = 5\,\mathrm{m} \]", "UNREAD"),
+        (r"\[ \SI{24}{\hour} = \SI{86400}{\meter} \]", "UNREAD"),
+        (r"\[ \SI{2.5}{\meter} = \frac{5}{2}\,\si{\second} \]", "UNREAD"),
         (r"\[ 120\text{ seconds} = 2\text{ hours} \]", "UNREAD"),
         (r"\[ \SI{2.4}{\hour} = \SI{8700}{\second} \]", "UNREAD"),
         # what is integrated is in doubt; i is no index

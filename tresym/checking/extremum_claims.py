@@ -428,8 +428,9 @@ class _Search:
             for values in product((0, 1, -1), repeat=len(self.parameters)):
                 at = {n: fmpq(x) for n, x in zip(self.parameters, values, strict=True)}
                 with ball_precision():
-                    if all(condition.holds_exactly(at) for condition in where.conditions):
-                        yield at
+                    inside = all(condition.holds_exactly(at) for condition in where.conditions)
+                if inside:
+                    yield at
         for point in where.points(self.parameters, 8):
             yield {name: fmpq(x) for name, x in point.items()}
 

@@ -15,6 +15,7 @@ import re
 from tresym.manuscript.macros import group
 from tresym.reals.numbers.exact import InputError
 
+Dimension = tuple[int, int, int, int, int, int, int]
 UNREAD = r" \unknownunit "
 """A command that the reader of formulas does not know."""
 _QUANTITY = re.compile(r"\\(?:SI|qty)(?![a-zA-Z])\s*(?:\[[^\[\]]*\])?\s*(?=\{)")
@@ -61,6 +62,47 @@ _WITHOUT = frozenset(
 )
 
 
+_NONE: Dimension = (0, 0, 0, 0, 0, 0, 0)
+_DIMENSIONS: dict[str, Dimension] = {
+    "meter": (1, 0, 0, 0, 0, 0, 0),
+    "kilogram": (0, 1, 0, 0, 0, 0, 0),
+    "second": (0, 0, 1, 0, 0, 0, 0),
+    "ampere": (0, 0, 0, 1, 0, 0, 0),
+    "kelvin": (0, 0, 0, 0, 1, 0, 0),
+    "mole": (0, 0, 0, 0, 0, 1, 0),
+    "candela": (0, 0, 0, 0, 0, 0, 1),
+    "radian": _NONE,
+    "newton": (1, 1, -2, 0, 0, 0, 0),
+    "joule": (2, 1, -2, 0, 0, 0, 0),
+    "watt": (2, 1, -3, 0, 0, 0, 0),
+    "volt": (2, 1, -3, -1, 0, 0, 0),
+    "pascal": (-1, 1, -2, 0, 0, 0, 0),
+    "hertz": (0, 0, -1, 0, 0, 0, 0),
+    "coulomb": (0, 0, 1, 1, 0, 0, 0),
+    "farad": (-2, -1, 4, 2, 0, 0, 0),
+    "henry": (2, 1, -2, -2, 0, 0, 0),
+    "tesla": (0, 1, -2, -1, 0, 0, 0),
+    "weber": (2, 1, -2, -1, 0, 0, 0),
+    "ohm": (2, 1, -3, -2, 0, 0, 0),
+    "siemens": (-2, -1, 3, 2, 0, 0, 0),
+    "litre": (3, 0, 0, 0, 0, 0, 0),
+}
+"""The dimensions of units: powers of length, mass, time, current, temperature, amount and light."""
+_DIMENSIONS |= {"metre": _DIMENSIONS["meter"], "liter": _DIMENSIONS["litre"]}
+_DIMENSIONS |= dict.fromkeys(("gram", "tonne"), _DIMENSIONS["kilogram"])
+_DIMENSIONS |= dict.fromkeys(("minute", "hour", "day"), _DIMENSIONS["second"])
+_DIMENSIONS |= {"bar": _DIMENSIONS["pascal"]}
+_DIMENSIONS |= {symbol: _DIMENSIONS[name] for symbol, name in _SYMBOLS.items()}
+_CHAINS = re.compile(r"\\\\(?!\s*&?\s*(?:=|\\approx|\\simeq))|\\q?quad(?![a-zA-Z])|\\text(?=\s*\{)")
+"""Where a chain of a display ends and another begins."""
+_PLAIN = re.compile(
+    "\x00\\d+\x01|/\\s*[\\d.]+|\\\\(?:[dt]?frac|cdot|times)(?![a-zA-Z])|\\\\[ ,;:!]|[\\d.,\\s&^~]"
+)
+"""What may stand beside the quantities of a product without changing its dimension."""
+_TERMS = re.compile(
+    r"[=<>+-]|\\(?:leq?|geq?|approx|simeq|sim|equiv|neq?|ll|gg|pm|mp|to|Rightarrow|implies)"
+    r"(?![a-zA-Z])"
+)
 _UPRIGHT = re.compile(
     r"(?<=[\d})])(?P<space>(?:\s|~|\\[ ,;:!])*)(?:\\(?:text|mathrm|textrm|mbox|rm)\s*\{"
     r"(?P<unit>\s*(?:\\[ ,])?(?:[a-zA-Z/.\s^\d-]|\\cdot|\\mu|\\[ ,]|\^\{-?\d\})*?[a-zA-Z\d}]\s*)\}"
@@ -75,13 +117,20 @@ _COMMAND = re.compile(
 
 def in_one_system(text: str) -> str:
     """Return the display with its quantities as numbers in one system of units."""
-    text = _without_upright_units(text)
+    apart = _dimensions_differ(text)
+    upright = text if apart else _without_upright_units(text)
+    both = upright != text or bool(re.search(r"\\(?:si|unit)(?![a-zA-Z])", text))
+    text = upright
     found = list(_quantities(text))
     units = {unit for *_, unit in found}
     factors = {unit: factor_of(unit) for unit in units}
-    if len(units) < 2 or all(factor == (1, 0) for factor in factors.values()):
+    if (
+        not both
+        and not apart
+        and (len(units) < 2 or all(factor == (1, 0) for factor in factors.values()))
+    ):
         return text
-    known = None not in factors.values() and not _SPOKEN.search(text)
+    known = not both and not apart and None not in factors.values() and not _SPOKEN.search(text)
     for start, end, value, unit in reversed(found):
         factor = factors[unit]
         made = UNREAD if not known or factor is None else _times(value, factor)
@@ -112,13 +161,19 @@ def _factor_behind(mark: re.Match[str]) -> int | None:
     """Return the power of ten of the unit behind a number; None if it is not known."""
     if mark["ohm"]:
         return 0
-    unit = re.sub(
-        r"\\cdot|\\[ ,]|\\mu(?![a-z])\s*", lambda m: "u" if "mu" in m[0] else ".", mark["unit"]
-    )
+    unit = _plain_unit(mark, strip=False)
     spaced = mark["unit"][:1].isspace() or mark["space"].strip() or len(unit.strip()) > 1
     power = mark["power"] or ""
     found = factor_of(f"{unit.strip()}{power}") if spaced else None
     return found[1] if found and found[0] == 1 else None
+
+
+def _plain_unit(mark: re.Match[str], strip: bool = True) -> str:
+    """Return an upright unit with points for products and u for micro."""
+    unit = re.sub(
+        r"\\cdot|\\[ ,]|\\mu(?![a-z])\s*", lambda m: "u" if "mu" in m[0] else ".", mark["unit"]
+    )
+    return unit.strip() if strip else unit
 
 
 def _is_below(text: str, at: int) -> bool:
@@ -156,8 +211,14 @@ def _times(value: str, factor: tuple[int, int]) -> str:
 
 def factor_of(unit: str) -> tuple[int, int] | None:
     """Return the factor of a unit as a number and a power of ten; None if it is not known."""
+    found = _read(unit)
+    return None if found is None else found[:2]
+
+
+def _read(unit: str) -> tuple[int, int, Dimension] | None:
+    """Return number, power of ten and dimension of a unit."""
     number, exponent, sign, prefix, last, at = 1, 0, 1, 0, (1, 0), 0
-    pending = 1
+    pending, dimension, own = 1, _NONE, _NONE
     while at < len(unit):
         mark = _COMMAND.match(unit, at)
         if mark is None:
@@ -178,12 +239,64 @@ def factor_of(unit: str) -> tuple[int, int] | None:
             one = _named(word, short)
             if one is None:
                 return None
+            own = _DIMENSIONS[word or (short if short in _SYMBOLS else str(short)[1:])]
             last, sign, power = (one[0], one[1] + prefix), pending, pending
             prefix, pending = 0, 1
         if power < 0 and last[0] != 1:
             return None  # km/h
         number, exponent = number * last[0] ** max(power, 0), exponent + last[1] * power
-    return number, exponent
+        dimension = _product(dimension, own, power)
+    return number, exponent, dimension
+
+
+def _product(one: Dimension, other: Dimension, power: int) -> Dimension:
+    """The dimension of a product with a power."""
+    length, mass, time, current, heat, amount, light = (
+        x + power * y for x, y in zip(one, other, strict=True)
+    )
+    return length, mass, time, current, heat, amount, light
+
+
+def _dimensions_differ(text: str) -> bool:
+    """Whether two sides of a chain, or two terms of a sum, are known to have other dimensions.
+
+    A term is known if it is a product of numbers and quantities. Terms with letters, fractions
+    or powers of quantities may have any dimension.
+    """
+    places = [(start, end, _read(unit)) for start, end, _, unit in _quantities(text)]
+    places += [
+        (mark.start(), mark.end(), _read(f"{_plain_unit(mark)}{mark['power'] or ''}"))
+        for mark in _UPRIGHT.finditer(text)
+        if mark["unit"] and not _is_below(text, mark.start())
+    ]
+    marked, known = text, {}
+    for n, (start, end, found) in enumerate(sorted(places, key=lambda place: place[0])[::-1]):
+        known[n] = found
+        marked = f"{marked[:start]} \x00{n}\x01 {marked[end:]}"
+    for chain in _CHAINS.split(marked):
+        seen = {
+            dimension
+            for term in _TERMS.split(re.sub(r"\{[^{}]*\}", "", chain))
+            if (dimension := _dimension_of_term(term, known)) is not None
+        }
+        if len(seen) > 1:
+            return True
+    return False
+
+
+def _dimension_of_term(
+    term: str, known: dict[int, tuple[int, int, Dimension] | None]
+) -> Dimension | None:
+    quantities = [known[int(n)] for n in re.findall("\x00(\\d+)\x01", term)]
+    plain = _PLAIN.sub("", term)
+    dimension = _NONE
+    if plain or not quantities or re.search("\x01\\s*\\^", term):
+        return None
+    for found in quantities:
+        if found is None:
+            return None
+        dimension = _product(dimension, found[2], 1)
+    return dimension
 
 
 def _named(word: str | None, short: str | None) -> tuple[int, int] | None:
