@@ -15,6 +15,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import groupby, pairwise
 
+from flint import fmpq
+
 from tresym.checking.time_limited import Task, check_all, check_within
 from tresym.manuscript import prose
 from tresym.manuscript.classification import DEFINED, EQUATION
@@ -31,6 +33,7 @@ from tresym.reals.language.expression import (
     apply,
     bind,
     opened,
+    rebuild,
     substitute,
     symbols,
 )
@@ -101,6 +104,8 @@ def _excused(row: Row) -> Row:
         excuse = "each sign may have a value of its own"
     elif _is_solution_of_some(row):
         excuse = "a solution for some values of the other symbols, or with rounded numbers"
+    elif _is_rounded_to_integer(row):
+        excuse = "the integer may be rounded, as the decimals on the other side are"
     elif (alike := _with_longer_sums(row)) and _holds(alike):
         excuse = f"it holds as {alike}, if what follows is meant to belong to it"
     if not excuse:
@@ -120,6 +125,8 @@ def _with_longer_sums(row: Row) -> str:
 
 
 def _longer_sum(side: Expr) -> Expr:
+    if side.op in ("*", "^") and elementary(side):
+        side = rebuild(side, tuple(map(_longer_sum, side.args)))  # (\sin s + t)/(\cos s + t)
     waves = [arg for arg in side.args if isinstance(arg, Expr) and arg.op in _WAVES]
     if side.op == "+" and len(waves) == 1 and all(map(elementary, side.args)):
         rest = [arg for arg in side.args if arg is not waves[0]]
@@ -193,6 +200,18 @@ def _in_other_unit(row: Row) -> bool:
         return False
     powers = [ratio * 10**n for n in range(-12, 13) if n] if ratio is not None else []
     return any(abs(power - 1) < 0.05 for power in powers)
+
+
+def _is_rounded_to_integer(row: Row) -> bool:
+    """Whether an integer is the nearest one to a value of decimals: sqrt(653.2) + 14.4 = 40."""
+    left, relation, right = row.link.sides or (ZERO, "", ZERO)
+    if relation != "==" or symbols(left) | symbols(right) or not elementary(left, right):
+        return False
+    whole = any(side.op == "number" and side.args[0].q == 1 for side in (left, right))
+    if not whole or not re.search(r"\d\s*\.\s*\d", row.link.shown):
+        return False
+    with ball_precision():
+        return abs(evaluate(left - right, {})) < fmpq(1, 2)
 
 
 def _contradicting(rows: list[Row]) -> None:
