@@ -114,6 +114,12 @@ _SAID = re.compile(
     r"\b(?:let|suppose|assume|consider|if|now|another|takes?|define|denote|where|with)\b",
     re.IGNORECASE,
 )
+_OTHERWISE = re.compile(
+    r"\b(?:condition\w*|given|knowing|known|restrict\w*|truncat\w*|uniform\w*|distribut\w*|densit\w*"
+    r"|law|normal\w*|gaussian|exponential\w*|poisson|binomial\w*|geometric\w*|measures?)\b",
+    re.IGNORECASE,
+)
+"""Words by which a sentence may give a variable another distribution than the one stated before."""
 _SENTENCE = re.compile(r"(?<=[.;])\s+(?=[A-Z])")
 _EXPECTED = (
     r"(?:\\math(?:bb|bf|rm|sf)\s*\{?\s*E\s*\}?|\\operatorname\*?\s*\{\s*E\s*\}"
@@ -149,7 +155,9 @@ class Distributions:
         needs = []
         for sentence in _SENTENCE.split(text):
             found = dict(_stated(sentence))
-            if not found and _SAID.search(sentence):
+            if not found and _OTHERWISE.search(sentence):
+                self.known.clear()
+            elif not found and _SAID.search(sentence):
                 for mark in _NAMED.finditer(sentence):
                     self.known.pop(mark[1] or mark[2], None)
             self.known |= found
