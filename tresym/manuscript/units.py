@@ -57,11 +57,6 @@ _SYMBOLS = {
 _OTHER = {"gram": (1, -3), "litre": (1, -3), "liter": (1, -3), "tonne": (1, 3), "bar": (1, 5)}
 _OTHER |= {"minute": (6, 1), "hour": (36, 2), "day": (864, 2)}
 """Units with a factor, a number times a power of ten: an hour is 36 · 10^2 seconds."""
-_WITHOUT = frozenset(
-    ("meter", "metre", "kilogram", "candela", "ohm", "siemens", *_SYMBOLS.values())
-)
-
-
 _NONE: Dimension = (0, 0, 0, 0, 0, 0, 0)
 _DIMENSIONS: dict[str, Dimension] = {
     "meter": (1, 0, 0, 0, 0, 0, 0),
@@ -87,12 +82,12 @@ _DIMENSIONS: dict[str, Dimension] = {
     "siemens": (-2, -1, 3, 2, 0, 0, 0),
     "litre": (3, 0, 0, 0, 0, 0, 0),
 }
-"""The dimensions of units: powers of length, mass, time, current, temperature, amount and light."""
+"""The units that are known, with their dimensions: powers of length, mass, time, current,
+temperature, amount and light."""
 _DIMENSIONS |= {"metre": _DIMENSIONS["meter"], "liter": _DIMENSIONS["litre"]}
 _DIMENSIONS |= dict.fromkeys(("gram", "tonne"), _DIMENSIONS["kilogram"])
 _DIMENSIONS |= dict.fromkeys(("minute", "hour", "day"), _DIMENSIONS["second"])
 _DIMENSIONS |= {"bar": _DIMENSIONS["pascal"]}
-_DIMENSIONS |= {symbol: _DIMENSIONS[name] for symbol, name in _SYMBOLS.items()}
 _CHAINS = re.compile(r"\\\\(?!\s*&?\s*(?:=|\\approx|\\simeq))|\\q?quad(?![a-zA-Z])|\\text(?=\s*\{)")
 """Where a chain of a display ends and another begins."""
 _PLAIN = re.compile(
@@ -119,18 +114,15 @@ def in_one_system(text: str) -> str:
     """Return the display with its quantities as numbers in one system of units."""
     apart = _dimensions_differ(text)
     upright = text if apart else _without_upright_units(text)
-    both = upright != text or bool(re.search(r"\\(?:si|unit)(?![a-zA-Z])", text))
+    one_notation = upright == text and not re.search(r"\\(?:si|unit)(?![a-zA-Z])", text)
+    comparable = one_notation and not apart
     text = upright
     found = list(_quantities(text))
     units = {unit for *_, unit in found}
     factors = {unit: factor_of(unit) for unit in units}
-    if (
-        not both
-        and not apart
-        and (len(units) < 2 or all(factor == (1, 0) for factor in factors.values()))
-    ):
+    if comparable and (len(units) < 2 or all(factor == (1, 0) for factor in factors.values())):
         return text
-    known = not both and not apart and None not in factors.values() and not _SPOKEN.search(text)
+    known = comparable and None not in factors.values() and not _SPOKEN.search(text)
     for start, end, value, unit in reversed(found):
         factor = factors[unit]
         made = UNREAD if not known or factor is None else _times(value, factor)
@@ -161,19 +153,19 @@ def _factor_behind(mark: re.Match[str]) -> int | None:
     """Return the power of ten of the unit behind a number; None if it is not known."""
     if mark["ohm"]:
         return 0
-    unit = _plain_unit(mark, strip=False)
-    spaced = mark["unit"][:1].isspace() or mark["space"].strip() or len(unit.strip()) > 1
+    unit = _plain_unit(mark)
+    spaced = mark["unit"][:1].isspace() or mark["space"].strip() or len(unit) > 1
     power = mark["power"] or ""
-    found = factor_of(f"{unit.strip()}{power}") if spaced else None
+    found = factor_of(f"{unit}{power}") if spaced else None
     return found[1] if found and found[0] == 1 else None
 
 
-def _plain_unit(mark: re.Match[str], strip: bool = True) -> str:
+def _plain_unit(mark: re.Match[str]) -> str:
     """Return an upright unit with points for products and u for micro."""
-    unit = re.sub(
+    plain = re.sub(
         r"\\cdot|\\[ ,]|\\mu(?![a-z])\s*", lambda m: "u" if "mu" in m[0] else ".", mark["unit"]
     )
-    return unit.strip() if strip else unit
+    return plain.strip()
 
 
 def _is_below(text: str, at: int) -> bool:
@@ -239,7 +231,7 @@ def _read(unit: str) -> tuple[int, int, Dimension] | None:
             one = _named(word, short)
             if one is None:
                 return None
-            own = _DIMENSIONS[word or (short if short in _SYMBOLS else str(short)[1:])]
+            own = _DIMENSIONS[word or _SYMBOLS.get(short) or _SYMBOLS[short[1:]]]
             last, sign, power = (one[0], one[1] + prefix), pending, pending
             prefix, pending = 0, 1
         if power < 0 and last[0] != 1:
@@ -312,4 +304,4 @@ def _named(word: str | None, short: str | None) -> tuple[int, int] | None:
 
 
 def _factor(name: str) -> tuple[int, int] | None:
-    return _OTHER.get(name) or ((1, 0) if name in _WITHOUT else None)
+    return _OTHER.get(name) or ((1, 0) if name in _DIMENSIONS else None)
