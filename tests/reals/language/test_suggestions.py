@@ -84,7 +84,7 @@ SUGGESTED = [
     ("erfinv(x) > 0 given x > 0", "y > 0 given erf(y) == x, x > 0"),
     ("1 > oo", "x -> oo as x -> oo"),
     ("K natural", "n > 0 given n integer, n >= 1"),
-    ("x!! > 0", "factorial(factorial(n)) > 0 given n integer, n > 0"),
+    ("n!! > 0", "factorial2(2*m - 1) > 0 given m integer, m > 0"),
     ("tan^-1(x) < 2", "atan(x) < 2"),
     ("lambda > 0", "lambda_ > 0"),
 ]

@@ -312,11 +312,15 @@ def read_factor(cursor: Cursor, base: Piece | None = None) -> Piece:
 
 
 def read_factorial(cursor: Cursor, base: Piece) -> Piece:
-    """``3!``, ``n!`` and ``(n + 1)!``."""
+    """``3!``, ``n!`` and ``(n + 1)!``, and the double factorial ``(2n - 1)!!``."""
     n = natural(base.tree)
-    if base.strength < 4 or cursor.peek(1) == "!" or (n or 0) > MAX_FACTORIAL:
+    double = cursor.peek(1) == "!"
+    if base.strength < 4 or (double and cursor.peek(2) == "!") or (n or 0) > MAX_FACTORIAL:
         cursor.refuse("the factorial is read of a name, a small number or a bracket,")
     cursor.take()
+    if double:
+        cursor.take()
+        return Piece(call("factorial2", [base.tree]))
     return Piece(call("factorial", [base.tree]) if n is None else number(factorial(n)))
 
 

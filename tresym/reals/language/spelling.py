@@ -107,10 +107,9 @@ def spell_behind(typed: Typed, text: str) -> str:
         if typed.peek().text == "!":
             typed.next()
             if typed.peek().text == "!" and not typed.peek().spaced:
-                raise InputError(
-                    f"two readings remain: write factorial(factorial({bare(text)})), or the "
-                    "double factorial as a product"
-                )
+                typed.next()
+                text = f"factorial2({bare(text)})"
+                continue
             text = f"factorial({bare(text)})"
         elif typed.peek().text == "°" or typed.peek().text in ("deg", "degrees"):
             typed.next()
