@@ -362,7 +362,8 @@ class _Deciding:
         if search.gap is not None and claim.how != "at most one":
             why = f"it is not shown that both sides are smooth in the interval: {search.gap}"
             none = partial(self.none_between, search)
-            return _first(Answer(UNDECIDED, why), none, search.by_balls)
+            beside = partial(self.none_beside, search)
+            return _first(Answer(UNDECIDED, why), none, search.by_balls, beside)
         exists = self.signs_at_the_ends(search) if claim.how != "at most one" else []
         if claim.how == "at least one":
             if _all_hold(exists):
@@ -374,7 +375,8 @@ class _Deciding:
             return _by_lemma(MEAN_VALUE, [*exists, *only])
         none = partial(self.none_between, search)
         none_at = partial(self.none_at_a_point, search)
-        return _first(_not_shown([*exists, *only]), none, search.by_balls, none_at)
+        apart = partial(self.none_beside, search)
+        return _first(_not_shown([*exists, *only]), none, search.by_balls, none_at, apart)
 
     def crossing(self, search: _Solutions) -> Answer | None:
         """Show that there is a solution by the signs at two points of the interval."""
@@ -404,6 +406,19 @@ class _Deciding:
             return replace(found, why=f"there is no solution: {found.why}")
         at = search.point_of_parameters()
         return None if at is None else refuted(f"there is no solution: {found.why}", at)
+
+    def none_beside(self, search: _Solutions) -> Answer | None:
+        """Show that a rational solution is the only one, as where the graph touches the axis."""
+        zero = search.rational_zero()
+        if zero is None or search.gap_of_definition() is not None:
+            return None
+        x, at = symbol(search.name), number(zero)
+        sides = [self.asked((search.f, "!=", ZERO), (*search.inside, (x, sign, at)))
+                 for sign in ("<", ">")]  # fmt: skip
+        if not all(sides):
+            return None
+        why = f"{search.claim.name} = {zero} is a solution, and there is none beside it"
+        return Answer(worst(sides).verdict, why, obligations=tuple(map(_obligation, sides)))
 
     def none_at_a_point(self, search: _Solutions) -> Answer | None:
         """Refute that there is a solution at values of the parameters at which there is none."""
@@ -689,6 +704,15 @@ class _Solutions:
             if len(found) == 2:
                 break
         return found
+
+    def rational_zero(self) -> fmpq | None:
+        """A rational solution inside of the interval, of an equation without parameters."""
+        if self.parameters or self.claim.given:
+            return None
+        with ball_precision():
+            low, high = (_end_value(end, {}) for end in (self.claim.low, self.claim.high))
+            places = _places(low, high)
+        return next((x for x in places if self.vanishes(x, {})), None)
 
     def vanishes(self, x: fmpq, at: Mapping[str, fmpq]) -> bool:
         put = {n: number(v) for n, v in {**at, self.name: x}.items()}
