@@ -27,10 +27,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from tresym.proofs import power_series, sweeps
+from tresym.proofs import monotonicity, power_series, sweeps
 from tresym.proofs.axioms import DOUBLE_SERIES
 from tresym.proofs.conditions import auxiliary, defect, later, shape
-from tresym.proofs.monotonicity import slope_in_T_positive
 from tresym.proofs.near import (
     BY_K,
     BY_KAPPA,
@@ -609,7 +608,7 @@ one_line_side = Claim(
 
 newton_side = Claim(
     **jointly(
-        slope_in_T_positive,
+        monotonicity.slope_in_T_positive,
         phase_equation_convex,
         phase_steepness,
         newton_from_below,

@@ -13,10 +13,9 @@ to the exact equation, there is a claim for each interpretation.
 
 from __future__ import annotations
 
-from tresym.proofs import euler_angles, flip_dynamics, phase_portraits, regimes
+from tresym.proofs import euler_angles, flip_dynamics, monotonicity, phase_portraits, regimes
 from tresym.proofs.conditions import STANDARD, defect, shape, shape_of_a_body, standard_racket
 from tresym.proofs.model import angular_velocity
-from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.orders import remark1
 from tresym.proofs.printed import inputs, moments, number, share_of_pi
 from tresym.proofs.separatrix import defect_is_one, flip_defect, leading_defect, one_flip_defect
@@ -291,7 +290,7 @@ larger_ab_smaller_eps0 = Claim(
     given=_LESS,
     proof=Counterexample(_shapes("1", "3/10", "10", "31/1000"), (defect_is_one,)),
     where=line(251),
-    amended_by=(monotonicity,),
+    amended_by=(monotonicity.monotonicity,),
     note="The statement is true at fixed a and at fixed b. Both shapes of the counterexample "
     "are those of rigid bodies.",
 )
@@ -303,7 +302,7 @@ formula_shows_larger_ab = Claim(
     given=_LESS,
     proof=Counterexample(_shapes("1", "3/10", "10", "31/1000")),
     where=line(251),
-    amended_by=(monotonicity,),
+    amended_by=(monotonicity.monotonicity,),
     note="The statement is true at fixed a and at fixed b. Both shapes of the counterexample "
     "are those of rigid bodies.",
 )
@@ -311,7 +310,7 @@ formula_shows_larger_ab = Claim(
 robustness_at_fixed_b = Claim(
     says=StrictlyIncreasing(1 / (4 * b * epsilon0), a),
     given=shape,
-    proof=MonotoneOf(monotonicity, (flip_defect,)),
+    proof=MonotoneOf(monotonicity.monotonicity, (flip_defect,)),
     note="At fixed b the slope −1/(4bε₀) is the steeper the larger a is.",
 )
 
@@ -342,7 +341,7 @@ each_eps0_one_a = Claim(
     means=Ge((_at_tenth[1] - _at_tenth[0]) * (_at_tenth[2] - _at_tenth[1]), 0, evaluate=False),
     proof=Counterexample({"a1": fmpq(1, 1000), "a2": fmpq(1), "a3": fmpq(10)}),
     where=line(263),
-    amended_by=(monotonicity,),
+    amended_by=(monotonicity.monotonicity,),
     note=(
         "A continuous function that increases and decreases takes "
         "some values twice, here 1/5 between the points."
@@ -526,7 +525,7 @@ hyperbolic_levels = Claim(
     given=(_a1 > 0, _b1 > 0, _b1 <= 1, _a2 > 0, _a1 * _b1 <= _a2),
     proof=Counterexample({"a1": fmpq(1), "b1": fmpq(3, 10), "a2": fmpq(10)}, (defect_is_one,)),
     where=line(291),
-    amended_by=(nearly_hyperbolic, monotonicity),
+    amended_by=(nearly_hyperbolic, monotonicity.monotonicity),
     note="The level curves decrease, as hyperbolas do, since ε₀ decreases with a and with b.",
 )
 

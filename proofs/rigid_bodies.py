@@ -15,9 +15,8 @@ least cπ (`arsinh_concave`), and it remains to show c u/(1+u) (π − arcsin(u 
 
 from __future__ import annotations
 
-from tresym.proofs import euler_angles, exponent
+from tresym.proofs import euler_angles, exponent, monotonicity
 from tresym.proofs.conditions import ordered_moments, shape
-from tresym.proofs.monotonicity import monotonicity
 from tresym.proofs.separatrix import flip_defect
 
 from tresym.ledger.vocabulary import *
@@ -213,7 +212,7 @@ floor_is_approached = Claim(
 floor_of_shapes = Claim(
     says=epsilon0 > _angle,
     given=(*shape, 1 - b * (a + 2) >= 0),
-    proof=FromTheEdge(monotonicity, rigid_body_floor, 1 / (a + 2)),
+    proof=FromTheEdge(monotonicity.monotonicity, rigid_body_floor, 1 / (a + 2)),
     note="Among the bodies with the same a, ε₀ decreases in b up to the planar body b = 1/(a + 2).",
 )
 

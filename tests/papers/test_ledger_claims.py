@@ -7,9 +7,11 @@ import pytest
 import sympy
 from sympy import Eq, Ge, Gt, Symbol, Tuple, cos, sin, sqrt
 
-from tresym.ledger.claim import AllOf, Definition, Place
+from tresym.ledger.claim import AllOf, Claim, Definition, Place, Root, UniqueRoot, step
 from tresym.ledger.judge import judge
 from tresym.ledger.paper import Paper
+from tresym.ledger.reasons import differentiation
+from tresym.ledger.statements import ExactlyOne
 from tresym.ledger.verification import verify
 from tresym.papers.ledger_claims import Part, read_part
 from tresym.reals.numbers.exact import InputError
@@ -132,6 +134,11 @@ REFUSED = {
     "one: x > 0\n> fault: haste": "is not one of",
     "one: x > 0\n> quotes: MOTION": "MOTION is no theorem",
     "one [line 3, row 2]: x > 0": "is not a place",
+    "one: x > 0 with y == 1": "'with' gives values",
+    "one: x > 0\ntwo: y > 0 using one with x**2 == y": "write with x ==",
+    "one: x > 0 by slope 1 > 0": "shows that a root is increasing",
+    "one: x > 0 dominated by other": "no claim above this line",
+    "one: x > 0\ntwo: y > 0 using one with x == y expect refuted": "of a claim that holds",
     "one: stable x == 0 along x' == -x by x**2": "a function after 'by' is not used",
 }
 
@@ -264,3 +271,48 @@ def test_each_part_of_a_statement_is_printed_with_its_own_steps(tmp_path: Path) 
         "two: (a + b)**2 == a**2 + 2*a*b + b**2 == b**2 + 2*a*b + a**2 and 2*a == a + a == a*2",
     )
     assert [len(display) for display in displays(part.two)] == [2, 2]
+
+
+def of_methods(folder: Path, text: str) -> dict[str, str]:
+    """The verdicts on lines that may use the only root z of z³ + z = x, for 0 < x < 3."""
+    z, ends = Symbol("z", real=True), (Gt(x, 0), sympy.Lt(x, 3))
+    slope, *values = ((step(e, differentiation),) for e in (3 * y**2 + 1, -x, 30 - x))
+    unique = Claim(
+        "unique", ExactlyOne(y, 0, 3, Eq(y**3 + y, x)), UniqueRoot(slope, *values), given=ends
+    )
+    cubic = Claim("cubic", Root(z, unique).says, Root(z, unique), given=ends)
+    path = folder / "part.tresym"
+    path.write_text(f"use cubic, range from programs\n{text}", encoding="utf-8")
+    claims = {"cubic": cubic, "range": ends}
+    part = read_part(path, lambda name: claims)
+    all_of_it = {unique: None, cubic: None, **dict.fromkeys(part.claims.values())}
+    paper = Paper("some", lambda *_: ((part.title, tuple(all_of_it)),))
+    found = {row.claim.label: row.finding.verdict.value for row in verify(of=paper).rows}
+    return {label: found[label] for label in part.claims}
+
+
+def test_methods_that_a_line_names_let_nothing_false_through(tmp_path: Path) -> None:
+    found = of_methods(
+        tmp_path,
+        """below: tanh(x) < x given x > 0
+let named: S := x**2
+square: x**2 == S using named
+there: tanh(b**2) < b**2 given b > 0 using below with x == b**2
+anywhere: tanh(b) < b given b != 0 using below with x == b
+other: tanh(b) < b/2 given b > 0 using below with x == b
+replaced: 9 == S using square with x == 3
+rises: increasing(z, x) given range using cubic by slope -1 == -2 + 1 < 0
+falls: decreasing(z, x) given range using cubic by slope -1 == -2 + 1 < 0
+no_slope: increasing(z, x) given range using cubic by slope -2 < 0
+at_root: increasing(z, x) given range
+  using cubic by slope -1 == cos(z**3 + z) - cos(x) - 1 [cubic] < 0
+bounded: abs(sin(a*b)/x**2) <= 1/x**2 given x > 0
+tends: sin(a*b)/x**2 == O(1/x**2) as x -> oo given x > 0 dominated by bounded
+smaller: sin(a*b)/x**2 == O(1/x**3) as x -> oo given x > 0 dominated by bounded
+""",
+    )
+    false = {"anywhere", "other", "replaced", "falls", "no_slope", "smaller"}
+    assert {label for label in found if found[label] in ("PROVED", "ENCLOSED", "DEFINED")} == {
+        *found
+    } - false
+    assert found["falls"] == "REFUTED"

@@ -355,18 +355,20 @@ class RootMonotone:
     """
 
     root: Claim
-    slope: Chain
-    """A chain for the sign of ∂h/∂x at the root; it may substitute the equation of the root."""
+    slope: Any
+    """A chain for the sign of ∂h/∂x at the root; it may substitute the equation of the root. Or
+    evidence that the engine decides it."""
 
     @property
     def chains(self) -> tuple[Chain, ...]:
         """The chains of the evidence."""
-        return (self.slope,)
+        slope = self.slope
+        return (slope,) if isinstance(slope, tuple) else slope.chains
 
     @property
     def claims(self) -> tuple[Claim, ...]:
-        """The definition of the root."""
-        return (self.root,)
+        """The definition of the root, and what the engine uses."""
+        return (self.root, *getattr(self.slope, "claims", ()))
 
 
 @dataclass(frozen=True)

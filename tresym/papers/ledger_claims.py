@@ -36,6 +36,12 @@ This is how each line is understood:
 - ``expect refuted at x == 1, y == 2 instead other`` states a falsehood, a point at which it fails,
   and what is true, for an order a curve ``at x == t, y == -t``; ``expect enclosed`` that balls are
   needed.
+- ``using general, bound with x == 1/a`` shows that a claim is what the first claim used says of
+  these values of its variables; the others serve to show its conditions there.
+- ``using root by slope u == v [one] > 0`` behind ``increasing(y, x)`` or ``decreasing(y, x)`` gives
+  the steps from the derivative by x of the equation whose only root is y to its sign.
+- ``f == O(g) as x -> oo … dominated by one, two`` names a bound of |f| by a multiple of a function
+  of what tends to its limit, or bounds of f from above and from below.
 - The lines of prose directly below a claim are its note. Those beginning with ``> says:``,
   ``> paper:``, ``> shown:``, ``> kind:``, ``> fault:``, ``> assumed:`` and ``> quotes:`` give the
   sentence whose formula the claim is, what the paper prints, the LaTeX of a formula that is hard to
@@ -69,12 +75,16 @@ from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Definition,
+    Dominated,
     Evidence,
     Fault,
+    Follows,
+    Instance,
     Place,
     Printed,
     Reason,
     Root,
+    RootMonotone,
     Step,
     jointly,
     parts_of,
@@ -98,7 +108,7 @@ from tresym.ledger.statements import (
     order,
 )
 from tresym.papers.definitions import Definition as Abbreviation
-from tresym.papers.reading import CLAUSE, DEFINED, OwnPaper, Reader, near
+from tresym.papers.reading import CLAUSE, DEFINED, OwnPaper, Reader, clauses_of, near
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language import named_claims
 from tresym.reals.language.binders import generalised, ordered, outermost
@@ -139,6 +149,8 @@ _COUNTS = {"exactly one": ExactlyOne, "at most one": AtMostOne}
 _EQUILIBRIA = {"stable": StableEquilibrium, "unstable": UnstableEquilibrium}
 _SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
 _CLAUSES = ("given", "using", "expect", "at", "instead", "as")
+_HINTS = ("with", "by slope", "dominated by")
+"""Clauses that name the method by which a claim is shown."""
 _REMARK = re.compile(r"(says|paper|shown|kind|fault|assumed|quotes)\s*:\s*(.*)", re.DOTALL)
 _SIGN = r"(?<![<>=!~:])(?:==|<=|>=|!=|<|>)(?![=<>])"
 _PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)\s*")
@@ -219,6 +231,8 @@ class _Waiting:
 
 class _Reader(Reader):
     """Read each line as it is in any file, but make claims of the ledger of it."""
+
+    clause = rf"\s(?:{'|'.join(_HINTS)})\s+|{CLAUSE}".replace(" ", r"\s+")
 
     def __init__(self, path: Path, others: Callable[[str], Mapping[str, Any]], text: str) -> None:
         super().__init__(path.name, path.parent)
@@ -405,7 +419,7 @@ class _Reader(Reader):
     ) -> None:
         self.converted = []
         for word in clauses:
-            if word not in _CLAUSES:
+            if word not in (*_CLAUSES, *_HINTS):
                 raise InputError(f"'{word}' is not read in a paper of the ledger yet")
         uses = self._found(clauses.get("using", ""))
         given = self._given(clauses.get("given", ""))
@@ -425,7 +439,7 @@ class _Reader(Reader):
         says = self._says(text)
         if "as" in clauses:
             says = self._tending(says, clauses["as"])
-        steps = self._steps(_clause_free(written), says, uses)
+        steps = self._steps(self._clause_free(written), says, uses)
         given = [*self._declared_about((says, *given)), *given]
         self._need_domains(given)
         fields |= {"says": says, "given": tuple(given)}
@@ -439,9 +453,58 @@ class _Reader(Reader):
         elif along:
             fields |= {"proof": Asymptotics(along, claims=tuple(uses)), "expect": Verdict.REFUTED}
         else:
-            fields["proof"] = _evidence(uses, (says, *given), steps, values)
+            shown = self._shown(written, says, uses)
+            fields["proof"] = shown or _evidence(uses, (says, *given), steps, values)
             fields["expect"] = _expected(expect, fields["proof"], uses)
         self._state(line, label, place, fields)
+
+    def _clause_free(self, written: str) -> str:
+        """The formula of a claim with the words in brackets behind its steps."""
+        return clauses_of(written, self.clause)[0]
+
+    def _shown(self, written: str, says: Basic, uses: list[Claim]) -> Evidence | None:
+        """The evidence of a method that the claim names; None if it names none."""
+        clauses = clauses_of(written, self.clause)[1]
+        named = [word for word in _HINTS if word in clauses]
+        if not named:
+            return None
+        if len(named) > 1 or clauses.get("expect", "").lower() == "refuted":
+            raise InputError(f"'{named[-1]}' names a method: write one, of a claim that holds")
+        text = clauses[named[0]]
+        if named[0] == "with":
+            return self._instance(text, uses)
+        if named[0] == "dominated by":
+            return Dominated(*self._found(text))
+        return self._by_slope(text, says, uses)
+
+    def _instance(self, text: str, uses: list[Claim]) -> Evidence:
+        """The first claim that is used, with values for its variables; others are cited."""
+        if not uses:
+            raise InputError("'with' gives values to variables of a claim: write using LABEL with")
+        links = [self._expanded(link) for link in parse_given(plain(self._called(text)))]
+        if any(left.op != "symbol" or sign != "==" for left, sign, _ in links):
+            raise InputError(f"'{text}': write with x == 1/a, y == a + b")
+        values = tuple((_in_sympy(left), _in_sympy(right)) for left, _, right in links)
+        return Instance(uses[0], values, tuple(uses[1:]))
+
+    def _by_slope(self, text: str, says: Basic, uses: list[Claim]) -> Evidence:
+        """For each part, that a root is monotone by the sign of a slope, which steps lead to."""
+        root = next((claim for claim in uses if isinstance(claim.proof, Root)), None)
+        if root is None or not all(isinstance(p, tuple(_SHAPES.values())) for p in parts_of(says)):
+            raise InputError("'by slope' shows that a root is increasing or decreasing; use it")
+        found = []
+        for part in split(text, r"\band\b"):
+            stages = [stage.strip() for stage in split(part, _SIGN)]
+            signs = [part[a:b] for a, b in places(part, _SIGN)]
+            if signs[-1:] not in ([">"], ["<"]) or {*signs[:-1]} - {"=="} or stages[-1] != "0":
+                raise InputError(f"'{part}': write by slope u == v > 0")
+            chain = []
+            for stage in stages[:-1]:
+                shown, why = self._because(stage, uses)
+                chain.append(Step(_in_sympy(self._tree(shown)), why))
+            slope = _evidence(uses, (says,), ((*chain, Step(None, ())),), {})
+            found.append(RootMonotone(root, slope))
+        return found[0] if len(found) == 1 else Follows(tuple(found))
 
     def _given(self, text: str) -> list[Basic]:
         """The conditions of a text: those with a name, printed inputs and comparisons."""
@@ -630,12 +693,6 @@ class _Reader(Reader):
                 )
 
 
-def _clause_free(written: str) -> str:
-    """The formula of a claim with the words in brackets behind its steps."""
-    places_ = places(f"{written} ", CLAUSE)
-    return written[: places_[0][0]] if places_ else written
-
-
 def _without_binders(e: Expr) -> Iterator[Expr]:
     """The expression with derivatives, integrals and values as symbols, and what stands in them."""
     (plain_,) = generalised(e)
@@ -717,7 +774,7 @@ def _evidence(
         return Printed(tuple(uses))
     put, cited, also = [], [], []
     for claim in uses:
-        parts = claim.parts if claim.in_formulas and not isinstance(claim.proof, Root) else ()
+        parts = claim.parts if claim.in_formulas else ()
         put += [claim] if any(isinstance(part, Eq) for part in parts) else []
         cited += [claim] if any(not isinstance(part, Eq) for part in parts) else []
         also += [] if parts else [claim]

@@ -537,6 +537,9 @@ class _OneNameError(InputError):
 class Reader:
     """Read the lines of a file from top to bottom; what is declared holds from there on."""
 
+    clause = CLAUSE
+    """The words that begin a clause of a claim."""
+
     def __init__(self, name: str, folder: Path | None = None, files: tuple[str, ...] = ()) -> None:
         self.name = name
         self.title = ""
@@ -813,7 +816,7 @@ class Reader:
         self, line: int, label: str, written: str, place: str = "", assumed: bool = False
     ) -> None:
         self._need_new_label(label)
-        text, clauses = _clauses(_REASON.sub(_without_reason, written))
+        text, clauses = clauses_of(_REASON.sub(_without_reason, written), self.clause)
         lets = self._lets_in(clauses)
         self.replaced_in_claim = set()
         with self._within(lets):
@@ -1335,7 +1338,7 @@ def _is_comparison(text: str) -> bool:
 
 def _is_formula(text: str) -> bool:
     """Whether a relation stands in a text that is not quoted prose, and a formula before it."""
-    formula, _ = _clauses(text)
+    formula, _ = clauses_of(text)
     return _RELATION.search(formula) is not None and _is_comparison(formula)
 
 
@@ -1350,10 +1353,10 @@ def label_of(printed: str) -> str:
     return word if word[:1].isalpha() else f"eq-{word}"
 
 
-def _clauses(written: str) -> tuple[str, dict[str, str]]:
-    """Return the formula of a claim and its clauses by their words."""
+def clauses_of(written: str, words: str = CLAUSE) -> tuple[str, dict[str, str]]:
+    """Return the formula of a claim and its clauses by their words, which a pattern matches."""
     text = f"{written} "
-    places_ = places(text, CLAUSE)
+    places_ = places(text, words)
     ends = [first for first, _ in places_[1:]] + [len(text)]
     formula = text[: places_[0][0]] if places_ else text
     found: dict[str, str] = {}

@@ -79,6 +79,7 @@ from tresym.reals.numbers.exact import parse_number
 from tresym.reals.verdict import Verdict
 
 _INFINITE = (oo, -oo)
+ORDERINGS = ("<", "<=", ">", ">=")
 
 
 @dataclass(frozen=True)
@@ -262,7 +263,7 @@ def _equivalent(first: Basic, second: Basic, rules: Rules, given: Conditions) ->
 def _decided(
     relation: Relation, asked: tuple[Compared, ...], given: Conditions, defined_there: bool
 ) -> Answer:
-    """Return the answer of the engine, which is asked for normal forms first.
+    """Return the answer of the engine, which is asked for normal forms and signs first.
 
     Args:
         relation: the statement; its sides are shown to be defined if ``defined_there``.
@@ -277,6 +278,9 @@ def _decided(
             found = decide_continuous(*sides, known(given))
             if found is not None and found.verdict is Verdict.PROVED:
                 return Answer(found.verdict, found.why, str(relation))
+    if defined_there and relation.sign in ORDERINGS and is_manifest(relation, given):
+        why = "the sign of the difference follows from those of its parts"
+        return Answer(Verdict.PROVED, why, str(relation))
     return decide_claim(stated(((left, relation.sign, right),), asked))
 
 

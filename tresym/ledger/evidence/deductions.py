@@ -70,9 +70,10 @@ from tresym.ledger.counterexamples import violation
 from tresym.ledger.evidence.asymptotics import SIDES, ordered
 from tresym.ledger.evidence.at_point import place_of
 from tresym.ledger.evidence.chain import check_chain, instantiated
+from tresym.ledger.evidence.decided import Decided, judge_decided
 from tresym.ledger.evidence.integrals import NotShownError, need, need_smooth, with_bounds
 from tresym.ledger.evidence.sign_prover import is_manifest, manifest_sign
-from tresym.ledger.finding import Finding
+from tresym.ledger.finding import Finding, StepFinding
 from tresym.ledger.judged_roots import without
 from tresym.ledger.reasons import citing, exponentials, roots
 from tresym.ledger.refutations import (
@@ -99,6 +100,7 @@ from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import ONE, ZERO, Expr, substitute, symbols
 from tresym.reals.language.formula import Relation
 from tresym.reals.language.paths import Path
+from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.reals.verdict import Verdict
@@ -333,8 +335,8 @@ def judge_root_monotone(claim: Claim, proof: RootMonotone) -> Finding:
     need_smooth(zero.h, inside)
     start = zero.at(differentiate(zero.h, x.name), tree(zero.symbol))
     wanted = "<" if zero.rises * RISES[type(says)] > 0 else ">"
-    steps = check_chain(Relation(start, wanted, ZERO), proof.slope, zero.given)
     try:
+        steps = _slope_steps(claim, start, wanted, proof, zero)
         need_all(steps)
     except NotShownError:
         found = _not_monotone(claim)
@@ -343,6 +345,19 @@ def judge_root_monotone(claim: Claim, proof: RootMonotone) -> Finding:
         return found
     why = f"the derivative of the function by {x} is {wanted} 0 at every root"
     return Finding(PROVED, why, steps=steps)
+
+
+def _slope_steps(
+    claim: Claim, start: Expr, wanted: str, proof: RootMonotone, zero: _Zero
+) -> tuple[StepFinding, ...]:
+    """Return the findings on the steps from the derivative of the function to its sign."""
+    if not isinstance(proof.slope, Decided):
+        return check_chain(Relation(start, wanted, ZERO), proof.slope, zero.given)
+    sign = Gt if wanted == ">" else Lt
+    says = sign(to_sympy(start), 0, evaluate=False)
+    found = judge_decided(replace(claim, says=says, proof=proof.slope), proof.slope)
+    need(found.verdict is PROVED, f"could not show that {start} {wanted} 0: {found.why}")
+    return found.steps or (StepFinding(PROVED, found.why),)
 
 
 def _need_interval(given: Conditions, name: str) -> None:
