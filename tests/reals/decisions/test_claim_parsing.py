@@ -70,7 +70,9 @@ def test_paths_as_they_are_printed(path: str) -> None:
     assert read("x == O(1)", path=path).path == read_path("x -> 0+")
 
 
-@pytest.mark.parametrize("text", ["", "x", "x ->", "-> 0", "x -> x", "x -> oo+1", "2 -> 0", "x=0"])
+@pytest.mark.parametrize(
+    "text", ["", "x", "x ->", "-> 0", "x -> x", "x -> oo+1", "2 -> 0", "x=0", "x -> 0+ in a"]
+)
 def test_what_is_no_path(text: str) -> None:
     with pytest.raises(InputError):
         read_path(text)

@@ -13,9 +13,10 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.comparisons import LIMIT, ORDERS
 from tresym.reals.language.differential_notation import with_differential_notation
-from tresym.reals.language.expression import ZERO, symbol
+from tresym.reals.language.expression import ZERO, symbol, symbols
 from tresym.reals.language.formula import Compared, chained
 from tresym.reals.language.parsing import parse_claim, parse_given, sequences_of
 from tresym.reals.language.paths import MAX_PATH, Path, path_in_latex, read_path
@@ -38,7 +39,10 @@ _AND = re.compile(r"\band\b|;|&&?|∧")
 _DANGLING = re.compile(r"\b(and|or)\s*$")
 _MEANT = re.compile(r",\s*\((\w+),\s*([\w./+-]+)\)\s*\)\s*$")
 """The end of an order as SymPy prints it: O(x**(-4), (x, oo))."""
-UNIFORMLY = re.compile(r"\suniformly\b")
+UNIFORMLY = re.compile(
+    r"\suniformly\b(?:\s+in\s+([A-Za-z]\w*(?:(?:\s*,\s*|\s+and\s+)[A-Za-z]\w*)*))?"
+)
+"""The word that asks for one constant, and the variables in which, if they are named."""
 
 
 class Written(NamedTuple):
@@ -85,6 +89,30 @@ def read_claim(claim: Any, given: Any = "", path: str | None = None) -> Written:
 
 def as_written(claim: Any, given: Any, path: str | None) -> Written:
     """Read a claim once, as :func:`read_claim` does where it is typed plainly."""
+    uniformly = UNIFORMLY.search(claim) if isinstance(claim, str) else None
+    if uniformly is None:
+        return _without_uniformly(claim, given, path)
+    found = _without_uniformly(UNIFORMLY.sub("", claim), given, path)
+    _need_all_parameters(found, uniformly[1])
+    return found._replace(uniformly=True)
+
+
+def _need_all_parameters(claim: Written, named: str | None) -> None:
+    """Refuse ``uniformly in a`` where other variables than those named vary with it."""
+    if named is None:
+        return
+    names = set(re.split(r"\s*,\s*|\s+and\s+", named))
+    own = {"" if claim.path is None else claim.path.name, *symbols(INFINITY)}
+    there = {n for link in claim.comparisons for e in link[::2] for n in symbols(e)} - own
+    if there != names:
+        all_, one = ", ".join(sorted(there)), ", ".join(sorted(names))
+        raise InputError(
+            f"uniformly in {one}: one constant is asked for all variables beside that of the path, "
+            f"here {all_ or 'none'}; write uniformly" + (f" in {all_}" if all_ else "")
+        )
+
+
+def _without_uniformly(claim: Any, given: Any, path: str | None) -> Written:
     if not isinstance(claim, str):
         comparison, conditions = relation_from_sympy(claim)
         tends = _path(path) or _path_of_orders(claim)
@@ -109,8 +137,7 @@ def as_written(claim: Any, given: Any, path: str | None) -> Written:
 
 def _strictly(claim: str, given: Any, path: str | None) -> Written:
     """A claim of text or LaTeX in the grammar as it stands."""
-    uniformly = UNIFORMLY.search(claim) is not None
-    text, own, own_path, region = parts_of(UNIFORMLY.sub("", claim))
+    text, own, own_path, region = parts_of(claim)
     meant = _MEANT.search(text)
     if meant is not None and not (own_path or path):
         own_path = f"{meant[1]} -> {meant[2]}"
@@ -118,7 +145,7 @@ def _strictly(claim: str, given: Any, path: str | None) -> Written:
     under, end, on = (*_given(given), *_given(own)), _path(own_path or path), _given(region)
     if not _LATEX.search(text):
         sequences = _sequences(f"{given if isinstance(given, str) else ''}, {own}")
-        return Written(tuple(parse_claim(plain(text), sequences)), under, end, on, uniformly)
+        return Written(tuple(parse_claim(plain(text), sequences)), under, end, on)
     from tresym.reals.language.latex import read_latex
 
     if "\\" not in text and re.search(r"[A-Z]\w*\[.*{", text):
@@ -139,7 +166,7 @@ def _strictly(claim: str, given: Any, path: str | None) -> Written:
     elif said is not None:
         parse_given(chained((*under, *said.links)))
         under = (*under, *said.links)
-    return Written(tuple(chains[0].links), under, end, on, uniformly)
+    return Written(tuple(chains[0].links), under, end, on)
 
 
 def parts_of(text: str) -> tuple[str, str, str, str]:

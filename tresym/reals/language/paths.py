@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 MAX_PATH = 200
 _PATH = re.compile(r"\s*([A-Za-z_]\w*)\s*->\s*(.+?)\s*")
 _TOGETHER = re.compile(r"\s*\(([\w\s,]+)\)\s*->\s*\((.+)\)\s*")
+_SEVERAL_WORDS = re.compile(r"\w\s+\w|\w[+-]\s+[^\W\d]")
+"""Words beside one another, and a name behind the side of the end, as in ``0+ uniformly``."""
 _INFINITE = re.compile(r"([-+]?)(?:oo|inf|infinity)")
 _CONSTANTS = frozenset(("E", "I", "pi", "oo", "EulerGamma", "Catalan", "GoldenRatio"))
 _SIDES = {"+": (1,), "-": (-1,), "": (1, -1)}
@@ -84,7 +86,7 @@ def read_path(text: str) -> Path:
         far = _INFINITE.fullmatch(right.replace(" ", ""))
         if symbols(what) and far is not None and not far[1].startswith("-") and elementary(what):
             return Path("", None, (1,), expression=what)
-    if match is None:
+    if match is None or _SEVERAL_WORDS.search(match[2]):
         raise InputError("write a path like x -> 0+ (or 0, 0-, 1/2, pi, oo, -oo)")
     name, end = match[1], match[2].replace(" ", "")
     infinite = _INFINITE.fullmatch(end)
