@@ -7,11 +7,21 @@ import pytest
 import sympy
 from sympy import Eq, Ge, Gt, Symbol, Tuple, cos, sin, sqrt
 
-from tresym.ledger.claim import AllOf, Claim, Definition, Place, Root, UniqueRoot, step
+from tresym.ledger.claim import (
+    AllOf,
+    Claim,
+    Definition,
+    ImplicitFunction,
+    Place,
+    Root,
+    UniqueRoot,
+    in_words,
+    step,
+)
 from tresym.ledger.judge import judge
 from tresym.ledger.paper import Paper
 from tresym.ledger.reasons import differentiation
-from tresym.ledger.statements import ExactlyOne
+from tresym.ledger.statements import ExactlyOne, Rounds, TheRoot
 from tresym.ledger.verification import verify
 from tresym.papers.ledger_claims import Part, read_part
 from tresym.reals.numbers.exact import InputError
@@ -139,6 +149,12 @@ REFUSED = {
     "one: x > 0 by slope 1 > 0": "shows that a root is increasing",
     "one: x > 0 dominated by other": "no claim above this line",
     "one: x > 0\ntwo: y > 0 using one with x == y expect refuted": "of a claim that holds",
+    "one: x > 0 shown by magic": "'magic' is no way to show a claim",
+    "one: in words, from other": "no claim above this line is labelled 'other'",
+    "one: x**2 >= 0\ntwo: in words, from one": "needs its sentence below it",
+    "one: x**2 >= 0\ntwo: in words, from one given x > 0": "has no clauses",
+    "one: x == 1 given x ~= 1.00 within one unit": "write ~= between",
+    "one: x > 0 given x > 1 expect refuted at x == 1 shown by boxes": "and no point",
     "one: stable x == 0 along x' == -x by x**2": "a function after 'by' is not used",
 }
 
@@ -316,3 +332,64 @@ smaller: sin(a*b)/x**2 == O(1/x**3) as x -> oo given x > 0 dominated by bounded
         *found
     } - false
     assert found["falls"] == "REFUTED"
+
+
+def test_sentences_that_say_more_than_the_claims_behind_them(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """one: x**2 >= 0
+two: x**2 >= x
+whole [line 3]: in words, from one
+> says: Squares are what they are.
+Told in words.
+wrong: in words, from one, two
+> says: Squares are large.
+""",
+    )
+    whole = part.whole
+    assert (whole.proof, whole.statement, whole.where) == (in_words(part.one), None, Place(line=3))
+    assert (whole.says, whole.note) == ("Squares are what they are.", "Told in words.")
+    assert verdicts(part)["whole"] == "PROVED"
+    assert verdicts(part)["wrong"] == "UNDECIDED"
+
+
+def test_hints_that_name_a_method(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """v, w real
+bound: integral(exp(-x*t), t, 0, 1) < 1 given x >= 1/10, x <= 2 shown by boxes
+false_bound: integral(exp(-x*t), t, 0, 1) < 1/2 given x >= 1/10, x <= 2 shown by boxes
+turn(c) := integral(1 + c*t**2, t, 0, y)
+assume area: turn(c) == 1 given c > 0, y > 0
+slope: v == -diff(turn(x), x)/diff(turn(x), y) given x > 0, y > 0
+  shown by area solved for y(c), c == x
+false_slope: w == diff(turn(x), x)/diff(turn(x), y) given x > 0, y > 0
+  shown by area solved for y(c), c == x
+assume anywhere: integral(1 - c*t**2, t, 0, y) == 1 given c > 0, y > 0
+no_slope: w2 == -diff(integral(1 - x*t**2, t, 0, y), x)/diff(integral(1 - x*t**2, t, 0, y), y)
+  given x > 0, y > 0 shown by anywhere solved for y(c), c == x
+""",
+    )
+    assert part.slope.proof == ImplicitFunction(part.area, y, Symbol("c", real=True), x, ())
+    found = verdicts(part)
+    assert [found[name] for name in ("bound", "slope")] == ["ENCLOSED", "PROVED"]
+    assert found["false_bound"] == "REFUTED"
+    assert {found["false_slope"], found["no_slope"]} <= {"REFUTED", "UNDECIDED"}
+
+
+def test_printed_roots_and_whole_units(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """unique: at most one c in (0, 3): c**2 == x given x > 0
+> It grows.
+printed: root(c**2 - x, c, 0, 3) ~= 1.41 given x ~= 2.00 using unique
+unit: sqrt(x) ~= 1.40 within one unit given x == 2
+half: sqrt(x) ~= 1.40 given x == 2
+other: root(c**3 - x, c, 0, 3) ~= 1.26 given x ~= 2.00 using unique
+""",
+    )
+    assert part.printed.says == Rounds(TheRoot(*part.unique.says.args), "1.41")
+    assert part.unit.says == Rounds(sqrt(x), "1.40", 2)
+    found = verdicts(part)
+    wanted = {"printed": "ENCLOSED", "unit": "REFUTED", "half": "REFUTED", "other": "UNDECIDED"}
+    assert {name: found[name] for name in wanted} == wanted

@@ -224,7 +224,8 @@ class ImplicitFunction:
     parameter: Symbol
     at: Expr
     slope: Chain
-    """A chain from ∂L/∂unknown at ``at`` to a form with a provable sign."""
+    """A chain from ∂L/∂unknown at ``at`` to a form with a provable sign; if empty, the derivative
+    itself has one."""
 
 
 @dataclass(frozen=True)

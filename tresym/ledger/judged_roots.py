@@ -17,6 +17,7 @@ from tresym.ledger.finding import Finding, StepFinding
 from tresym.ledger.reasons import substituting
 from tresym.ledger.refutations import PROVED, REFUTED, UNDECIDED, need_all, need_possible, refute
 from tresym.ledger.statements import AtMostOne, ExactlyOne
+from tresym.reals.decisions.root_values import by_leibniz
 from tresym.reals.language.binders import derivative
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import ZERO, Expr, substitute, symbols
@@ -145,8 +146,11 @@ def judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     unmet = unmet_condition(proof.equation, {}, near)
     need(unmet is None, f"the equation holds only under {unmet}, which could not be shown")
     need_smooth(left, near)
-    steps, sign = _chain_to_sign(by_unknown, proof.slope, outside)
-    need_all(steps)
+    if proof.slope:
+        steps, sign = _chain_to_sign(by_unknown, proof.slope, outside)
+        need_all(steps)
+    else:
+        steps, sign = (), manifest_sign(by_leibniz(derivative(there, u)), outside)
     manifest = sign in ("+", "-")
     need(manifest, f"could not show the sign of the derivative with respect to {u}", steps)
     written = tuple(c for c in claim.given if proof.parameter not in c.free_symbols)

@@ -32,7 +32,13 @@ This is how each line is understood:
   put in, and no others: ``a == b [one] == c [two]``. Other words there are printed.
 - ``one: two and three`` claims again what others claim.
 - ``f == O(g) as x -> 0+`` is an order along a path, uniform in all other variables.
-- ``given x ~= 1.21`` is a printed input, and in ``label: e ~= 0.115`` the number is printed.
+- ``given x ~= 1.21`` is a printed input, and in ``label: e ~= 0.115`` the number is printed; it is
+  right to half a unit of its last place, and with ``~= 0.115 within one unit`` to a whole one.
+- ``label: in words, from one, two`` stands above a sentence (``> says:``) that says more than the
+  claims do on which it rests; it counts as not formal.
+- ``shown by`` names a method where the engine needs a hint (:mod:`tresym.papers.ways_to_show`).
+- ``root(f, x, 0, 1)`` is the root whose uniqueness an earlier claim ``at most one x in (0, 1): …``
+  shows.
 - ``expect refuted at x == 1, y == 2 instead other`` states a falsehood, a point at which it fails,
   and what is true, for an order a curve ``at x == t, y == -t``; ``expect enclosed`` that balls are
   needed.
@@ -65,7 +71,7 @@ from pathlib import Path
 from typing import Any
 
 import sympy
-from sympy import Basic, Eq, Symbol, Tuple
+from sympy import Basic, Eq, Ge, Le, Symbol, Tuple
 from sympy import Expr as Expression
 from sympy.core.relational import Relational
 
@@ -86,12 +92,14 @@ from tresym.ledger.claim import (
     Root,
     RootMonotone,
     Step,
+    in_words,
     jointly,
     parts_of,
 )
 from tresym.ledger.conversion import conditions, tree
 from tresym.ledger.evidence.asymptotics import SIDES, Asymptotics
 from tresym.ledger.evidence.decided import Decided
+from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.evidence.sign_prover import undefined
 from tresym.ledger.statements import (
     As,
@@ -103,12 +111,14 @@ from tresym.ledger.statements import (
     StableEquilibrium,
     StrictlyDecreasing,
     StrictlyIncreasing,
+    TheRoot,
     Under,
     UnstableEquilibrium,
     order,
 )
 from tresym.papers.definitions import Definition as Abbreviation
 from tresym.papers.reading import CLAUSE, DEFINED, OwnPaper, Reader, clauses_of, near
+from tresym.papers.ways_to_show import Line, way_to_show
 from tresym.reals.domain.operation_domains import needs
 from tresym.reals.language import named_claims
 from tresym.reals.language.binders import generalised, ordered, outermost
@@ -149,11 +159,12 @@ _COUNTS = {"exactly one": ExactlyOne, "at most one": AtMostOne}
 _EQUILIBRIA = {"stable": StableEquilibrium, "unstable": UnstableEquilibrium}
 _SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
 _CLAUSES = ("given", "using", "expect", "at", "instead", "as")
-_HINTS = ("with", "by slope", "dominated by")
+_HINTS = ("with", "by slope", "dominated by", "shown by")
 """Clauses that name the method by which a claim is shown."""
 _REMARK = re.compile(r"(says|paper|shown|kind|fault|assumed|quotes)\s*:\s*(.*)", re.DOTALL)
 _SIGN = r"(?<![<>=!~:])(?:==|<=|>=|!=|<|>)(?![=<>])"
-_PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)\s*")
+_PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(\s+within\s+one\s+unit)?\s*")
+_IN_WORDS = re.compile(r"in\s+words,\s+from\s+(.*)", re.DOTALL)
 _BECAUSE = re.compile(r"(.*\S)\s+\[([^\[\]]*)\]\s*", re.DOTALL)
 _PLACE = re.compile(r"(\d+)|(?:(line|display)\s+(\d+))?(?:(?:^|,\s*)cell\s+(.+))?")
 
@@ -278,7 +289,8 @@ class _Reader(Reader):
         if match is None:
             waiting.note.append(text)
         elif match[1] == "says":
-            waiting.fields |= {"says": match[2], "means": waiting.fields["says"]}
+            means = waiting.fields.get("says")
+            waiting.fields |= {"says": match[2]} | ({} if means is None else {"means": means})
         elif match[1] == "fault":
             faults = {fault.name.lower(): fault for fault in Fault}
             if match[2] not in faults:
@@ -297,13 +309,28 @@ class _Reader(Reader):
         return self.axioms[name.strip()]
 
     def _state(self, line: int, label: str, place: str, fields: dict[str, Any]) -> None:
+        if isinstance(fields.get("says"), Basic):
+            fields["says"] = self._with_known_roots(fields["says"])
         self.waiting = _Waiting(label, self._end(line), {**fields, "where": _place(place)})
         self.lines[label] = line, self.waiting.end
+
+    def _with_known_roots(self, says: Basic) -> Basic:
+        """The statement with each root as the claim writes it that there is at most one."""
+        written = says.atoms(TheRoot)
+        known = {
+            tree(made): made
+            for claim in (self.stated.values() if written else ())
+            if isinstance(claim.statement, ExactlyOne | AtMostOne)
+            for made in (TheRoot(*claim.statement.args),)
+        }
+        return says.xreplace({each: known.get(tree(each), each) for each in written})
 
     def _finish(self) -> None:
         """Make a claim of what was read last."""
         if self.waiting is not None:
             waiting, self.waiting = self.waiting, None
+            if "says" not in waiting.fields:
+                raise InputError(f"{waiting.label} needs its sentence below it: > says: …")
             claim = Claim(waiting.label, note=" ".join(waiting.note), **waiting.fields)
             self.stated[waiting.label] = self.own[waiting.label] = claim
 
@@ -382,6 +409,15 @@ class _Reader(Reader):
             found.append(self.stated[name])
         return found
 
+    def _claim_above(self, label: str) -> Claim:
+        found = self._found(label)
+        if len(found) != 1:
+            raise InputError(f"'{label}' is not the label of one claim")
+        return found[0]
+
+    def _expression(self, text: str) -> Expression:
+        return _in_sympy(self._tree(text))
+
     # Claims
 
     def _lets_in(self, clauses: dict[str, str]) -> list[Any]:
@@ -428,6 +464,11 @@ class _Reader(Reader):
         if expect not in ("proved", "refuted", "enclosed") or (assumed and "expect" in clauses):
             raise InputError(f"'{expect}': expect refuted, or expect enclosed")
         fields: dict[str, Any] = {"amended_by": instead} if instead else {}
+        if match := _IN_WORDS.fullmatch(text):
+            if clauses.keys() - {"instead"} or assumed:
+                raise InputError("a sentence in words has no clauses: the claims behind it do")
+            self._state(line, label, place, {"proof": in_words(*self._found(match[1])), **fields})
+            return
         parts = [part.strip() for part in split(text, r"\band\b")]
         if all(part in self.stated for part in parts):
             if given or uses:
@@ -453,7 +494,9 @@ class _Reader(Reader):
         elif along:
             fields |= {"proof": Asymptotics(along, claims=tuple(uses)), "expect": Verdict.REFUTED}
         else:
-            shown = self._shown(written, says, uses)
+            shown = self._shown(written, says, uses, label)
+            if shown is not None and (values or steps):
+                raise InputError("what is shown by a method has no steps, and no point")
             fields["proof"] = shown or _evidence(uses, (says, *given), steps, values)
             fields["expect"] = _expected(expect, fields["proof"], uses)
         self._state(line, label, place, fields)
@@ -462,17 +505,21 @@ class _Reader(Reader):
         """The formula of a claim with the words in brackets behind its steps."""
         return clauses_of(written, self.clause)[0]
 
-    def _shown(self, written: str, says: Basic, uses: list[Claim]) -> Evidence | None:
+    def _shown(self, written: str, says: Basic, uses: list[Claim], label: str) -> Evidence | None:
         """The evidence of a method that the claim names; None if it names none."""
         clauses = clauses_of(written, self.clause)[1]
         named = [word for word in _HINTS if word in clauses]
         if not named:
             return None
-        if len(named) > 1 or clauses.get("expect", "").lower() == "refuted":
+        refuted = clauses.get("expect", "").lower() == "refuted"
+        if len(named) > 1 or (refuted and named[0] != "shown by"):
             raise InputError(f"'{named[-1]}' names a method: write one, of a claim that holds")
         text = clauses[named[0]]
         if named[0] == "with":
             return self._instance(text, uses)
+        if named[0] == "shown by":
+            line = Line(label, tuple(uses), self._claim_above, self._expression)
+            return way_to_show(text, line)
         if named[0] == "dominated by":
             return Dominated(*self._found(text))
         return self._by_slope(text, says, uses)
@@ -512,7 +559,7 @@ class _Reader(Reader):
         for part in filter(None, map(str.strip, split(text, ","))):
             if part in self.named:
                 found += self.named[part]
-            elif match := _PRINTED.fullmatch(part):
+            elif (match := _PRINTED.fullmatch(part)) and not match[3]:
                 found.append(Rounds(_in_sympy(self._tree(match[1])), match[2]))
             else:
                 found += map(self._relation, parse_given(plain(self._called(part))))
@@ -532,7 +579,7 @@ class _Reader(Reader):
     def _says(self, text: str) -> Basic:
         """The statement of a text; the chain ``a == b >= c`` states that a >= c."""
         if match := _PRINTED.fullmatch(text):
-            return Rounds(_in_sympy(self._tree(match[1])), match[2])
+            return Rounds(_in_sympy(self._tree(match[1])), match[2], 2 if match[3] else 1)
         if encloses(text) and (parts := split(text[1:-1], r"\bgiven\b"))[1:]:
             return Under(self._says(parts[0].strip()), Tuple(*self._given(parts[1])))
         whole = read_compound(self._called(text))
@@ -677,6 +724,8 @@ class _Reader(Reader):
         SymPy writes x for the square of √x, and 1 for x/x.
         """
         known = tuple(c for c in given if isinstance(c, Relational) and not isinstance(c, Eq))
+        values = (c for c in given if isinstance(c, Eq) and isinstance(c.lhs, Symbol))
+        known += tuple(end(*c.args, evaluate=False) for c in values for end in (Ge, Le))
         own = {there: symbol(name) for name, there in OWN.items()}
         for written, made in self.converted:
             there = needs(map(ordered, _without_binders(tree(made))))
@@ -733,7 +782,11 @@ def _derived(links: Sequence[Compared]) -> tuple[Compared, ...]:
 def _in_sympy(e: Expr) -> Any:
     """An expression in the symbols of the ledger, bound ones too."""
     own = {Symbol(there, real=True): Symbol(name, real=True) for name, there in OWN.items()}
-    return to_sympy(e).xreplace(own)
+    return to_sympy(e, _root).xreplace(own)
+
+
+def _root(x: Symbol, low: Expression, high: Expression, f: Expression) -> TheRoot:
+    return TheRoot(x, low, high, Eq(f, 0, evaluate=False))
 
 
 def _arithmetic(function: Callable[..., Any]) -> dict[str, Any]:
@@ -784,7 +837,7 @@ def _evidence(
 def _expected(word: str, proof: Evidence, uses: list[Claim]) -> Any:
     if word == "refuted":
         return Verdict.REFUTED
-    if isinstance(proof, Printed) or word == "enclosed":
+    if isinstance(proof, Printed | Evaluated) or word == "enclosed":
         return Verdict.ENCLOSED
     enclosed = any(claim.expect is Verdict.ENCLOSED for claim in uses)
     return Verdict.ENCLOSED if enclosed else Verdict.PROVED

@@ -24,6 +24,7 @@ from tresym.reals.decisions.derivative_domains import where_real
 from tresym.reals.decisions.ideals import follows
 from tresym.reals.decisions.identity import decide, no_point, sampled_values
 from tresym.reals.decisions.inequalities_on_regions import is_bounded, is_isolated, search
+from tresym.reals.decisions.inverse_branches import of_same_sign
 from tresym.reals.decisions.variable_reduction import by_one_variable
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
@@ -123,6 +124,9 @@ def decide_inequality(
                 return _shown_under(given, few)
     with stage("proof of a sign"):
         sentence = proof(left - right, relation, region)
+        for e in of_same_sign(left - right, region) if sentence is None else ():
+            if sentence is None and (shown := proof(e, relation, region)):
+                sentence = f"without the inverse function it is {e} {relation} 0; {shown}"
     partly = sentence is not None and not is_regular(given)
     if sentence is not None and not partly:
         return Answer(Verdict.PROVED, exactly(f"{sentence}; both sides are defined", defined))

@@ -5,6 +5,9 @@ root is not constant on the region, or if a is not a rational function. Here the
 eliminated: the claim becomes an identity between a and the sine, cosine or tangent of b, and a
 condition that b lies in the range, which is proved by signs. log and the
 inverse hyperbolic sine have no range condition.
+
+An inequality loses its inverse function in the same way: for b in [−π/2, π/2], asin a > b exactly
+if a > sin b, since the sine increases there.
 """
 
 from __future__ import annotations
@@ -64,6 +67,24 @@ def without_inverse(
         ends = collected(value - low), collected(high - value)
         if all(_holds(end, relation, given) for end in ends):
             yield apply(function, value), inverse.args[0]
+
+
+def of_same_sign(difference: Expr, given: Given) -> Iterator[Expr]:
+    """Yield expressions without an inverse trigonometric function that have the sign of another.
+
+    For c·asin a − b it is a − sin(b/c), with the sign of c, if b/c is shown to lie in the range.
+    """
+    difference = collected(difference)
+    terms = difference.args if difference.op == "+" else (difference,)
+    for term in terms:
+        scale, inverse = scaled(term)
+        if inverse.op not in _RANGES or len(terms) == 1:
+            continue
+        value = collected((term - difference) * number(1 / scale))
+        function, low, high, relation = _RANGES[inverse.op]
+        if all(_holds(collected(end), relation, given) for end in (value - low, high - value)):
+            sign = number(1 if (scale > 0) is (inverse.op != "acos") else -1)
+            yield sign * (inverse.args[0] - apply(function, value))
 
 
 def _holds(e: Expr, relation: str, given: Given) -> bool:

@@ -7,6 +7,7 @@ itself; derivatives, values at a point, integrals and limits stay as they are.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from tresym.reals.functions.table import CONSTANTS, TABLE
@@ -22,8 +23,13 @@ from tresym.reals.language.expression import (
 from tresym.reals.numbers.exact import InputError
 
 
-def to_sympy(e: Expr) -> Any:
+def to_sympy(e: Expr, root: Callable[..., Any] | None = None) -> Any:
     """Return a tree as a SymPy expression in real symbols.
+
+    Args:
+        e: the tree.
+        root: returns the root of a function, as ``root(x, low, high, f)``; None if there is no such
+            expression.
 
     Raises:
         InputError: SymPy has no such expression, as for the root of an equation.
@@ -34,13 +40,13 @@ def to_sympy(e: Expr) -> Any:
 
     def walk(node: Expr) -> Any:
         if node not in done:
-            done[node] = _node(sympy, node, walk)
+            done[node] = _node(sympy, node, walk, root)
         return done[node]
 
     return walk(e)
 
 
-def _node(sympy: Any, node: Expr, walk: Any) -> Any:
+def _node(sympy: Any, node: Expr, walk: Any, root: Callable[..., Any] | None) -> Any:
     if node.op == "number":
         return sympy.Rational(int(node.args[0].p), int(node.args[0].q))
     if node.op == "symbol":
@@ -48,7 +54,7 @@ def _node(sympy: Any, node: Expr, walk: Any) -> Any:
     if node.op == "pi":
         return sympy.pi
     if node.op in UNWORKED:
-        return _unworked(sympy, node, walk)
+        return _unworked(sympy, node, walk, root)
     args = [walk(arg) for arg in node.args]
     if node.op == "+":
         return sympy.Add(*args)
@@ -65,7 +71,7 @@ def _node(sympy: Any, node: Expr, walk: Any) -> Any:
     return getattr(sympy, TABLE[node.op].sympy)(*args)
 
 
-def _unworked(sympy: Any, node: Expr, walk: Any) -> Any:
+def _unworked(sympy: Any, node: Expr, walk: Any, root: Callable[..., Any] | None) -> Any:
     if node.op in ORDERS:
         return sympy.Function(node.op)(walk(node.args[0]))
     if node.op == "derivative" and node.args[1] == symbol(node.names[0]):
@@ -82,6 +88,8 @@ def _unworked(sympy: Any, node: Expr, walk: Any) -> Any:
     if node.op == "limit":
         side = {1: "+", -1: "-", 0: "+-"}[int(node.args[2].args[0].p)]
         return sympy.Limit(inner, variables[0], points[0], side)
+    if node.op == "root" and root is not None:
+        return root(variables[0], *points, inner)
     if node.op == "at":
         return sympy.Subs(inner, variables, points)
     if node.op == "derivative":
