@@ -325,8 +325,11 @@ at_root: increasing(z, x) given range
 bounded: abs(sin(a*b)/x**2) <= 1/x**2 given x > 0
 tends: sin(a*b)/x**2 == O(1/x**2) as x -> oo given x > 0 dominated by bounded
 smaller: sin(a*b)/x**2 == O(1/x**3) as x -> oo given x > 0 dominated by bounded
+large: z > 1 given range using cubic expect refuted
+not_large: z < 5/4 given range using cubic expect refuted
 """,
     )
+    assert (found.pop("large"), found.pop("not_large")) == ("REFUTED", "UNDECIDED")
     false = {"anywhere", "other", "replaced", "falls", "no_slope", "smaller"}
     assert {label for label in found if found[label] in ("PROVED", "ENCLOSED", "DEFINED")} == {
         *found

@@ -309,7 +309,11 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
                 UNDECIDED, "no asymptotic expansion was found that contradicts the order"
             )
         case Decided():
-            return _unless(partial(refuted_part, claim), judge_decided, claim, claim.proof)
+            attack = partial(refuted_part, claim)
+            finding = _unless(attack, judge_decided, claim, claim.proof)
+            if finding.verdict is UNDECIDED and claim.expect is REFUTED:
+                return attack() or finding
+            return finding
         case Boxes():
             return claim.proof.judge(", ".join(map(str, claim.given)))
         case Denied():

@@ -498,7 +498,8 @@ class _Reader(Reader):
             if shown is not None and (values or steps):
                 raise InputError("what is shown by a method has no steps, and no point")
             fields["proof"] = shown or _evidence(uses, (says, *given), steps, values)
-            fields["expect"] = _expected(expect, fields["proof"], uses)
+            if shown is None or "expect" in clauses:
+                fields["expect"] = _expected(expect, fields["proof"], uses)
         self._state(line, label, place, fields)
 
     def _clause_free(self, written: str) -> str:
