@@ -16,7 +16,7 @@ from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
-from tresym.proofs.asymptotics import repaired
+from tresym.proofs import asymptotics
 from tresym.proofs.conditions import shape
 from tresym.proofs.near import (
     bound,
@@ -119,7 +119,7 @@ no_single_constant = Claim(
         {a: t**2, b: Integer(1)}, beside=epsilon0 > Rational(1, 10), claims=(flip_defect,)
     ),
     expect=Verdict.REFUTED,
-    amended_by=(repaired, *repaired_from),
+    amended_by=(asymptotics.repaired, *repaired_from),
     note="At b = 1 the defect tends to a positive limit as a → 0 while ε* tends to 0.",
 )
 

@@ -796,3 +796,6 @@ b_to_zero = Claim(
 )
 
 label_claims(globals())
+
+_MORE = (*misses_from_pi, *misses_from_four, *newton_beyond_pi, *newton_beyond_four)
+globals().update({claim.label: claim for claim in _MORE})

@@ -20,16 +20,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from tresym.proofs import exponent, implicit_function, moments, slope
-from tresym.proofs.asymptotics import (
-    DEFECT_SLOPE,
-    printed_error,
-    printed_leading_term,
-    printed_remainder,
-    repaired,
-    slope_by_phase,
-    slope_leading_term,
-)
+from tresym.proofs import asymptotics, exponent, implicit_function, moments, slope
 from tresym.proofs.conditions import STANDARD, shape, standard_racket
 from tresym.proofs.near import (
     BY_KAPPA,
@@ -60,6 +51,11 @@ from tresym.racket.bounds.samples import in_bent_chart
 from tresym.racket.formulas import printed, stable
 from tresym.racket.notation import *
 from tresym.reals.numbers.exact import as_rational
+
+printed_error, printed_leading_term = asymptotics.printed_error, asymptotics.printed_leading_term
+printed_remainder, repaired = asymptotics.eps0, asymptotics.repaired
+slope_by_phase, slope_leading_term = asymptotics.slope_by_phase, asymptotics.slope_leading_term
+DEFECT_SLOPE = asymptotics.DEFECT_SLOPE
 
 O = Function("O")  # noqa: E741
 hot = Symbol("hot", real=True)

@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 import sympy
+from flint import fmpq
 from sympy import Eq, Ge, Gt, Symbol, Tuple, cos, sin, sqrt
 
 from tresym.ledger.claim import (
@@ -18,12 +19,15 @@ from tresym.ledger.claim import (
     in_words,
     step,
 )
+from tresym.ledger.evidence.chart_bounds import Charted, Charts, On, Shown
 from tresym.ledger.judge import judge
 from tresym.ledger.paper import Paper
 from tresym.ledger.reasons import differentiation
 from tresym.ledger.statements import ExactlyOne, Rounds, TheRoot
 from tresym.ledger.verification import verify
 from tresym.papers.ledger_claims import Part, read_part
+from tresym.racket.bounds import charts
+from tresym.reals.balls.branch_and_bound import box
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -396,3 +400,64 @@ other: root(c**3 - x, c, 0, 3) ~= 1.26 given x ~= 2.00 using unique
     found = verdicts(part)
     wanted = {"printed": "ENCLOSED", "unit": "REFUTED", "half": "REFUTED", "other": "UNDECIDED"}
     assert {name: found[name] for name in wanted} == wanted
+
+
+def _margin(t: Any, m: Any) -> Any:
+    """(e^t − 1)/t − 9/10."""
+    return charts.expm1_over(t) - fmpq(9, 10)
+
+
+OTHERS["margins"] = {
+    "growth": Charts(lambda claims: Charted((On((x,), box((0, 2)), (Shown(_margin, x),)),)))
+}
+
+
+def test_stored_charts_other_variables_and_antiderivatives(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """use growth from margins
+r real
+grows: exp(x) - 1 > 9/10*x given x > 0, x <= 2 shown by charts growth
+> constant: 9/10 of x
+faster: exp(x) - 1 > 91/100*x given x > 0, x <= 2 shown by charts growth
+farther: exp(x) - 1 > 9/10*x given x > 0, x <= 3 shown by charts growth
+other: exp(x) - 1 > x given x > 0, x <= 2 shown by charts growth
+ratio: sqrt(b/a) <= 2*b given a > 0, b > 0, a*b >= 1/4
+  shown by variables r == sqrt(b/a), a == b/r**2, r > 0
+small_ratio: sqrt(b/a) <= b given a > 0, b > 0, a*b >= 1/4
+  shown by variables r == sqrt(b/a), a == b/r**2, r > 0
+another_ratio: sqrt(b/a) <= 2*b given a > 0, b > 0, a*b >= 1/4
+  shown by variables r == sqrt(b/a), a == b/r, r > 0
+area: integral(2*t*cos(t**2), t, 0, x) == sin(x**2) given x > 0 shown by antiderivative sin(t**2)
+half_area: integral(2*t*cos(t**2), t, 0, x) == sin(x**2)/2 given x > 0
+  shown by antiderivative sin(t**2)/2
+steep_area: integral(2*t*cos(t**2), t, 0, x) == sin(x**2)/2 given x > 0
+  shown by antiderivative sin(t**2)
+order: sin(x) == O(x**2) as x -> 0+ expect refuted
+> prints: sin(x) == O(x**2)
+""",
+    )
+    true = {"grows": "ENCLOSED", "ratio": "PROVED", "area": "PROVED", "order": "REFUTED"}
+    found = verdicts(part)
+    assert {label: found[label] for label in true} == true
+    assert {found[label] for label in {*found} - {*true}} <= {"REFUTED", "UNDECIDED"}
+    assert part.grows.proof.constant == fmpq(9, 10)
+    assert (part.order.says, part.order.means.args[0]) == (
+        part.order.means.args[0],
+        part.order.says,
+    )
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "grows: exp(x) - 1 > x given x > 0 shown by charts growth",
+        "use growth from margins\ngrows: x > 0 given x > 1\n> constant: 2 of x",
+        "area: integral(2*t, t, 0, x) == x**2 == x*x shown by antiderivative t**2",
+        "one: x >= x\ntwo: integral(t, t, 0, x) == x**2/2 using one\n shown by antiderivative t",
+        "one: x**2 >= 0\n> rests on: two",
+    ],
+)
+def test_hints_with_nothing_behind_them_are_refused(text: str, tmp_path: Path) -> None:
+    with pytest.raises(InputError):
+        read(tmp_path, text)

@@ -40,7 +40,8 @@ This is how each line is understood:
 - ``root(f, x, 0, 1)`` is the root whose uniqueness an earlier claim ``at most one x in (0, 1): …``
   shows.
 - ``expect refuted at x == 1, y == 2 instead other`` states a falsehood, a point at which it fails,
-  and what is true, for an order a curve ``at x == t, y == -t``; ``expect enclosed`` that balls are
+  and what is true, for an order a curve ``at x == t, y == -t``, or ``at x == t, y < t**2``, if y is
+  a root that lies below this value on the curve; ``expect enclosed`` that balls are
   needed.
 - ``using general, bound with x == 1/a`` shows that a claim is what the first claim used says of
   these values of its variables; the others serve to show its conditions there.
@@ -52,7 +53,8 @@ This is how each line is understood:
   ``> paper:``, ``> shown:``, ``> kind:``, ``> fault:``, ``> assumed:`` and ``> quotes:`` give the
   sentence whose formula the claim is, what the paper prints, the LaTeX of a formula that is hard to
   read, the kind, what is wrong with the paper, what an assumption is called, and the theorems that
-  the claim rests on.
+  the claim rests on. ``> prints: …`` is the formula as the paper prints it, ``> constant: 2 of g``
+  the constant of a bound ``f <= 2*g``, and ``> rests on: …`` names claims that are not put in.
 
 To convert a module of Python: write each claim on a line, with the same conditions in the same
 order and the claims that its evidence names after ``using``, and compare. Statement and conditions
@@ -66,7 +68,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -98,6 +100,7 @@ from tresym.ledger.claim import (
 )
 from tresym.ledger.conversion import conditions, tree
 from tresym.ledger.evidence.asymptotics import SIDES, Asymptotics
+from tresym.ledger.evidence.chart_bounds import Charted, Charts
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.evidence.sign_prover import undefined
@@ -149,7 +152,7 @@ from tresym.reals.language.paths import read_path
 from tresym.reals.language.sympy import RELATIONS
 from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.language.unicode_input import plain
-from tresym.reals.numbers.exact import InputError
+from tresym.reals.numbers.exact import InputError, parse_number
 from tresym.reals.verdict import Verdict
 
 OWN = {"E": "E_", "lambda": "lambda_"}
@@ -161,7 +164,10 @@ _SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
 _CLAUSES = ("given", "using", "expect", "at", "instead", "as")
 _HINTS = ("with", "by slope", "dominated by", "shown by")
 """Clauses that name the method by which a claim is shown."""
-_REMARK = re.compile(r"(says|paper|shown|kind|fault|assumed|quotes)\s*:\s*(.*)", re.DOTALL)
+_REMARK = re.compile(
+    r"(says|prints|constant|rests on|paper|shown|kind|fault|assumed|quotes)\s*:\s*(.*)",
+    re.DOTALL,
+)
 _SIGN = r"(?<![<>=!~:])(?:==|<=|>=|!=|<|>)(?![=<>])"
 _PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(\s+within\s+one\s+unit)?\s*")
 _IN_WORDS = re.compile(r"in\s+words,\s+from\s+(.*)", re.DOTALL)
@@ -255,6 +261,8 @@ class _Reader(Reader):
         self.named: dict[str, tuple[Basic, ...]] = {}
         self.axioms: dict[str, Axiom] = {}
         """Theorems that claims may quote."""
+        self.charts: dict[str, Charts] = {}
+        """Stored charts, by name."""
         self.lines: dict[str, tuple[int, int]] = {}
         self.vectors: dict[str, int] = {}
         """Functions whose value is a vector, and the number of its components."""
@@ -291,6 +299,17 @@ class _Reader(Reader):
         elif match[1] == "says":
             means = waiting.fields.get("says")
             waiting.fields |= {"says": match[2]} | ({} if means is None else {"means": means})
+        elif match[1] == "prints":
+            decided = waiting.fields["says"]
+            waiting.fields |= {"says": self._says(match[2]), "means": decided}
+        elif match[1] == "rests on":
+            proof = waiting.fields["proof"]
+            if not isinstance(proof, Decided | Charted):
+                raise InputError("'rests on' stands below a claim that the engine or charts decide")
+            also = (*proof.also, *self._found(match[2]))
+            waiting.fields["proof"] = replace(proof, also=also)
+        elif match[1] == "constant":
+            waiting.fields["proof"] = self._with_constant(waiting.fields, match[2])
         elif match[1] == "fault":
             faults = {fault.name.lower(): fault for fault in Fault}
             if match[2] not in faults:
@@ -302,6 +321,18 @@ class _Reader(Reader):
             waiting.fields["proof"] = Definition(match[2])
         else:
             waiting.fields[{"paper": "paper_says"}.get(match[1], match[1])] = match[2]
+
+    def _with_constant(self, fields: dict[str, Any], text: str) -> Evidence:
+        """Evidence for a bound with the constant that is printed, ``2 of GAUGE``."""
+        number, _, gauge = text.partition(" of ")
+        size = self._tree(f"({number})*({gauge})") if gauge else self._tree(number)
+        sides = [side for part in parts_of(fields["says"]) for side in part.args]
+        if not isinstance(fields["proof"], Decided | Charted) or _in_sympy(size) not in sides:
+            raise InputError(f"the statement contains no bound {text}")
+        proof: Decided | Charted = replace(fields["proof"], constant=parse_number(number))
+        if isinstance(proof, Decided):
+            return replace(proof, gauge=_in_sympy(self._tree(gauge)) if gauge else sympy.S.One)
+        return proof
 
     def _axiom(self, name: str) -> Axiom:
         if name.strip() not in self.axioms:
@@ -371,6 +402,8 @@ class _Reader(Reader):
             value = known[name]
             if isinstance(value, Axiom):
                 self.axioms[name] = value
+            elif isinstance(value, Charts):
+                self.charts[name] = value
             elif isinstance(value, Claim):
                 self.stated[name] = self.stated[value.label] = value
             elif isinstance(value, Expression):
@@ -398,6 +431,10 @@ class _Reader(Reader):
                 self._abbreviate(line, f"{name}_{n}", tuple(asked), part)
         else:
             self._abbreviate(line, name, tuple(asked), made)
+
+    def _labelled(self, *labels: str) -> tuple[Claim, ...]:
+        """The claims with these labels."""
+        return tuple(self._found(", ".join(labels)))
 
     def _found(self, names: str) -> list[Claim]:
         found = []
@@ -485,16 +522,19 @@ class _Reader(Reader):
         self._need_domains(given)
         fields |= {"says": says, "given": tuple(given)}
         at = clauses.get("at", "")
-        along = self._along(at) if at and isinstance(says, As) else {}
+        along, beside = self._along(at) if at and isinstance(says, As) else ({}, None)
         values = {} if along else _point(at)
         if at and expect != "refuted":
             raise InputError("'at' names a point at which a claim fails: expect refuted at x == 1")
         if assumed:
             fields["proof"] = Definition("it is assumed")
         elif along:
-            fields |= {"proof": Asymptotics(along, claims=tuple(uses)), "expect": Verdict.REFUTED}
+            fields |= {
+                "proof": Asymptotics(along, beside, tuple(uses)),
+                "expect": Verdict.REFUTED,
+            }
         else:
-            shown = self._shown(written, says, uses, label)
+            shown = self._shown(label, written, (says, *given), uses)
             if shown is not None and (values or steps):
                 raise InputError("what is shown by a method has no steps, and no point")
             fields["proof"] = shown or _evidence(uses, (says, *given), steps, values)
@@ -506,7 +546,9 @@ class _Reader(Reader):
         """The formula of a claim with the words in brackets behind its steps."""
         return clauses_of(written, self.clause)[0]
 
-    def _shown(self, written: str, says: Basic, uses: list[Claim], label: str) -> Evidence | None:
+    def _shown(
+        self, label: str, written: str, stated: tuple[Basic, ...], uses: list[Claim]
+    ) -> Evidence | None:
         """The evidence of a method that the claim names; None if it names none."""
         clauses = clauses_of(written, self.clause)[1]
         named = [word for word in _HINTS if word in clauses]
@@ -519,11 +561,21 @@ class _Reader(Reader):
         if named[0] == "with":
             return self._instance(text, uses)
         if named[0] == "shown by":
-            line = Line(label, tuple(uses), self._claim_above, self._expression)
+            proof = _evidence(uses, stated, (), {})
+            line = Line(
+                label,
+                tuple(uses),
+                self._claim_above,
+                self._expression,
+                self._given,
+                stated[0],
+                proof if isinstance(proof, Decided) else Decided(),
+                self.charts,
+            )
             return way_to_show(text, line)
         if named[0] == "dominated by":
             return Dominated(*self._found(text))
-        return self._by_slope(text, says, uses)
+        return self._by_slope(text, stated[0], uses)
 
     def _instance(self, text: str, uses: list[Claim]) -> Evidence:
         """The first claim that is used, with values for its variables; others are cited."""
@@ -591,12 +643,17 @@ class _Reader(Reader):
         relations = [self._relation(link) for link in links]
         return relations[0] if len(relations) == 1 else Tuple(*relations)
 
-    def _along(self, text: str) -> dict[Symbol, Expression]:
-        """A curve ``x == t, y == -t`` along which an order fails as t tends to 0 from above."""
+    def _along(self, text: str) -> tuple[dict[Symbol, Expression], Relational | None]:
+        """A curve ``x == t, y == -t`` along which an order fails as t tends to 0 from above.
+
+        The inequality ``y < t**2`` compares a root with a value on the curve.
+        """
         links = [self._expanded(link) for link in parse_given(plain(self._called(text)))]
-        if any(left.op != "symbol" or sign != "==" for left, sign, _ in links):
+        beside = [self._relation(link) for link in links if link[1] in ("<", ">")]
+        along = [link for link in links if link[1] not in ("<", ">")]
+        if any(left.op != "symbol" or sign != "==" for left, sign, _ in along) or beside[1:]:
             raise InputError(f"'{text}': write at x == t, y == -t, with t -> 0+")
-        return {_in_sympy(left): _in_sympy(right) for left, _, right in links}
+        return {_in_sympy(left): _in_sympy(right) for left, _, right in along}, (*beside, None)[0]
 
     def _tending(self, says: Basic, path: str) -> Basic:
         """An order along a path."""
@@ -838,7 +895,9 @@ def _evidence(
 def _expected(word: str, proof: Evidence, uses: list[Claim]) -> Any:
     if word == "refuted":
         return Verdict.REFUTED
-    if isinstance(proof, Printed | Evaluated) or word == "enclosed":
+    if isinstance(proof, Printed | Evaluated | Charted) or word == "enclosed":
         return Verdict.ENCLOSED
+    if isinstance(proof, Dominated):
+        uses = [*uses, *proof.claims]
     enclosed = any(claim.expect is Verdict.ENCLOSED for claim in uses)
     return Verdict.ENCLOSED if enclosed else Verdict.PROVED

@@ -12,6 +12,12 @@ A hint names a method, and never a result: each of them is judged as any evidenc
 - ``boxes``: the relations are evaluated in balls on the box of the conditions, which is divided
   until each of them holds everywhere; ``stored boxes`` checks a division that is stored, since the
   search for it is long.
+- ``charts NAME``: charts that are stored in Python, in a module from which the file takes NAME,
+  have coordinates and margins (:mod:`tresym.ledger.evidence.chart_bounds`).
+- ``variables r == sqrt(b/a), a == b/r**2, r > 0``: the statement is decided in other variables. New
+  ones are functions of those of the claim, and what they replace is a function of the new ones.
+- ``antiderivative F``: F is a function of the variable of an integral whose derivative is that of
+  the integral.
 - ``LABEL solved for y(c), c == x``: LABEL is an equation for y in which c may vary; the claim
   defines a new symbol as dy/dc at c = x (implicit function theorem).
 """
@@ -19,18 +25,26 @@ A hint names a method, and never a result: each of them is judged as any evidenc
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 
+from sympy import Basic, Symbol
 from sympy import Expr as Expression
-from sympy import Symbol
 
 from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim, Evidence, ImplicitFunction
+from tresym.ledger.claim import Claim, Evidence, ImplicitFunction, by
+from tresym.ledger.evidence.chart_bounds import Charts
+from tresym.ledger.evidence.decided import Decided, InVariables
 from tresym.ledger.evidence.interval_evaluation import Evaluated
+from tresym.ledger.reasons import algebra, exponentials, integrating, inverses, roots, trigonometry
+from tresym.reals.language.brackets import split
 from tresym.reals.numbers.exact import InputError
 
 _BOXES = re.compile(r"(stored\s+)?boxes")
+_CHARTS = re.compile(r"charts\s+(\w+)")
+_VARIABLES = re.compile(r"variables\s+(.+)", re.DOTALL)
+_ANTIDERIVATIVE = re.compile(r"antiderivative\s+(.+)", re.DOTALL)
+_IS = re.compile(r"(\w+)\s*==\s*(.+)", re.DOTALL)
 _SOLVED = re.compile(r"([\w-]+)\s+solved\s+for\s+(\w+)\s*\(\s*(\w+)\s*\)\s*,\s*(\w+)\s*==\s*(.+)")
 
 
@@ -43,12 +57,24 @@ class Line:
         uses: the claims after ``using``.
         claim: returns the claim above with a label.
         expression: returns an expression that is written in a text.
+        conditions: returns the conditions that are written in a text.
+        says: the statement.
+        decided: the evidence that the engine decides it with the claims used.
+        charts: the stored charts that the file takes, by name.
     """
 
     label: str
     uses: tuple[Claim, ...]
     claim: Callable[[str], Claim]
     expression: Callable[[str], Expression]
+    conditions: Callable[[str], list[Basic]]
+    says: Basic
+    decided: Decided
+    charts: Mapping[str, Charts]
+
+    def claims(self, *labels: str) -> tuple[Claim, ...]:
+        """Return the claims above with these labels."""
+        return tuple(map(self.claim, labels))
 
     def symbol(self, name: str) -> Symbol:
         """Return the symbol with a name."""
@@ -66,6 +92,15 @@ def way_to_show(text: str, line: Line) -> Evidence:
     """
     if match := _BOXES.fullmatch(text):
         return Evaluated(line.uses, stored=certificate(line.label) if match[1] else None)
+    if match := _CHARTS.fullmatch(text):
+        return _charted(match[1], line)
+    if match := _VARIABLES.fullmatch(text):
+        return replace(line.decided, variables=_variables(match[1], line))
+    if match := _ANTIDERIVATIVE.fullmatch(text):
+        if line.uses:
+            raise InputError("an antiderivative is differentiated, and no claim is used")
+        theories = (algebra, exponentials, inverses, roots, trigonometry)
+        return by(integrating(line.expression(match[1])), *theories)
     if match := _SOLVED.fullmatch(text):
         if line.uses:
             raise InputError("an implicit function uses its equation, and no other claim")
@@ -75,3 +110,29 @@ def way_to_show(text: str, line: Line) -> Evidence:
         at = line.expression(match[5])
         return ImplicitFunction(line.claim(match[1]), unknown, parameter, at, ())
     raise InputError(f"'{text}' is no way to show a claim: see the page about adding a claim")
+
+
+def _charted(name: str, line: Line) -> Evidence:
+    """Return stored charts, with the claims that are used."""
+    if name not in line.charts:
+        raise InputError(f"{name} are no charts: write use {name} from FILE")
+    made = line.charts[name].made(line.claims)
+    known = line.decided
+    return replace(
+        made, put=known.put, cited=known.cited, also=known.also, stored=certificate(line.label)
+    )
+
+
+def _variables(text: str, line: Line) -> InVariables:
+    """Return other variables, each with its value, and conditions on them."""
+    values: dict[Symbol, Expression] = {}
+    old: dict[Symbol, Expression] = {}
+    where: list[Basic] = []
+    for part in map(str.strip, split(text, ",")):
+        match = _IS.fullmatch(part)
+        if match is None:
+            where += line.conditions(part)
+            continue
+        name = line.symbol(match[1])
+        (old if name in line.says.free_symbols else values)[name] = line.expression(match[2])
+    return InVariables(values, old, tuple(where))

@@ -174,6 +174,22 @@ class Charted:
         )
 
 
+Stated = Callable[..., tuple[Claim, ...]]
+"""Returns the claims with these labels, those that a file has stated."""
+
+
+@dataclass(frozen=True)
+class Charts:
+    """Charts as stored data, which a claim of a file names behind ``shown by charts``.
+
+    Attributes:
+        made: returns the charts and readings, for a file that has stated the claims which say what
+            the steps of the margins are. What is put in and cited stands in the file.
+    """
+
+    made: Callable[[Stated], Charted]
+
+
 def _claims(readings: tuple[Reading, ...]) -> Iterator[Claim]:
     """Yield the claims that the readings use."""
     for reading in readings:

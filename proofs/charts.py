@@ -1,0 +1,388 @@
+"""Charts for bounds that hold on a region: coordinates, margins, and what their steps mean.
+
+A file of claims names them by ``shown by charts NAME``. The bound |ε₀/ε* − 1| ≤ 1.451 ε*² on
+ab ≥ 1/4 holds, since in the coordinates b and κ = 1/√(ab), which lie between 0 and 1 and between 0
+and 2, both sides differ by ε*² times a function that is positive there; `first_order_chart` has
+that function, as a program that runs in balls. That it is the function is compared exactly, step
+by step: a reading says which symbol of the claim a step of the program is, with the claims that
+say so, which the file must have stated.
+
+Nothing here is trusted: charts that do not fit leave their claim undecided.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+from tresym.proofs.conditions import shape
+
+from tresym.ledger.evidence.chart_bounds import Charts, Stated
+from tresym.ledger.vocabulary import *
+from tresym.racket.bounds import charts
+from tresym.racket.notation import *
+from tresym.reals.numbers.exact import as_rational
+
+_k, _ratio = sqrt(a * b), sqrt(b / a)
+
+BY_KAPPA = (b, 1 / sqrt(a * b))
+"""The chart (b, κ): a = 1/(bκ²)."""
+BY_K = (b, sqrt(a * b))
+"""The chart (b, k): a = k²/b."""
+_AT_ROOT = (epsilon0, b, _ratio)
+KAPPA = box((0, 1), (0, 2))
+"""The region ab ≥ 1/4 in the chart (b, κ)."""
+NEAR_CHART, FAR_CHART = box((0, 1), (0, "7/4")), box((0, 1), (0, "4/7"))
+"""The charts (b, k) and (b, κ), which meet at k = 7/4, and hold every shape."""
+_NEARER, _FARTHER = (a * b <= Rational(49, 16),), (a * b >= Rational(49, 16),)
+
+# -- what the steps of the programs are in the paper's symbols ------------------------------------
+
+_ROOT = ("flip_defect", "defect_range")
+_sweep_turn = atan(_ratio * tanh(_k * P))
+_w = sqrt(1 + b / a) * sinh(_k * P)
+"""cot ε₀."""
+
+
+def _read(claims: Stated, step: Any, at: tuple[Any, ...], value: Any, *by: str) -> Reading:
+    """A step whose meaning the claims ``by`` say; the phase lies in its range."""
+    return Reading(step, at, value, shape, claims(*by), claims("phase_range"))
+
+
+def _difference(one: Expr, other: Expr) -> Expr:
+    """The angle of which the tangent is that of the difference of two others."""
+    return atan((x - x0) / (1 + x * x0)).xreplace({x: one, x0: other})
+
+
+def _sweep(claims: Stated, start: Expr, ends: Symbol) -> tuple[Reading, ...]:
+    """The steps of the error of a sweep, and the differences of angles in it."""
+    turn = _ratio * tanh(_k * start)
+    left = _difference(_ratio * tanh(_k * P), turn)
+    end = sqrt(1 + b / a) * sinh(_k * (pi + atan(turn)))
+    apart = _difference(1 / end, 1 / _w)
+    error = sinh(_k * P) / sinh(_k * (pi + atan(turn))) - 1
+    gained = f"sweep_from_{start}_misses"
+    return (
+        _read(claims, charts.sweep_difference, (*BY_K, P, start), left),
+        _read(claims, charts.tangent_error, (left, P, _k), error, gained),
+        _read(claims, charts.angle_difference, (error, _w), apart),
+        _read(claims, charts.far_difference, (*BY_KAPPA, P, start), _k * left),
+        _read(claims, charts.far_error, (_k * left, P, 1 / _k), error, gained),
+        _read(claims, charts.far_angle_error, (error, 1 / _w), apart / epsilon0, "defect_by_phase"),
+    )
+
+
+_q2 = (
+    50 * b**2 + 40 * b * (b / a) + 5 * (b / a) ** 2 - 20 * b - 10 * b / a + 1
+) / 80 - c1**2 * 5 / 2
+
+
+@cache
+def _readings(claims: Stated) -> tuple[Reading, ...]:
+    rate, root = Q / epsilon0**2, claims(*_ROOT)
+    expanded = claims("exponent_of_defect", "first_coefficient")
+    phase_in_k = _read(claims, charts.phase_over, BY_K, P, "phase_equation")
+    phase_in_kappa = _read(claims, charts.phase_by_kappa, BY_KAPPA, P, "phase_equation")
+    defect_in_k = _read(claims, charts.defect_by_k, BY_K, epsilon0, "defect_by_phase")
+    defect_in_kappa = _read(claims, charts.defect_by_kappa, BY_KAPPA, epsilon0, "defect_by_phase")
+    return (
+        _read(claims, charts.cotangent, (*BY_K, P), _w),
+        _read(claims, charts.angle_of, (_w,), epsilon0, "defect_by_phase"),
+        _read(claims, charts.tangent_by_kappa, (*BY_KAPPA, P), 1 / _w),
+        *_sweep(claims, pi, epsilon_pi),
+        *_sweep(claims, Integer(4), epsilon_4),
+        phase_in_k,
+        replace(defect_in_k, inner=(phase_in_k,)),
+        phase_in_kappa,
+        replace(defect_in_kappa, inner=(phase_in_kappa,)),
+        Reading(charts.exponent_rate, _AT_ROOT, rate, shape, expanded[:1], root),
+        Reading(charts.exponent_bend, _AT_ROOT, (rate - c1) / epsilon0**2, shape, expanded, root),
+        Reading(
+            charts.exponent_twist,
+            _AT_ROOT,
+            ((rate - c1) / epsilon0**2 - _q2) / epsilon0**2,
+            shape,
+            expanded,
+            root,
+        ),
+        Reading(
+            charts.leading_square_over,
+            BY_KAPPA,
+            epsilon_star**2 * a * b,
+            (*shape, a * b >= Rational(1, 9)),
+            claims("leading_term"),
+        ),
+    )
+
+
+def _excess(claims: Stated, start: Expr, later: Symbol, improved: str) -> tuple[Reading, ...]:
+    """By how much the phase after a step of Newton's method behind a sweep exceeds the true one."""
+    near, *_, far, _, _ = _sweep(claims, start, epsilon0)
+    gained = f"sweep_from_{start}_misses"
+    excess = _read(
+        claims, charts.newton_excess, (*BY_K, P, start), later - P, gained, improved, "turn_in_k"
+    )
+    far_excess = _read(
+        claims,
+        charts.far_newton_excess,
+        (*BY_KAPPA, P, start),
+        _k * (later - P),
+        *(gained, improved, "turn_in_kappa"),
+    )
+    return replace(excess, inner=(near,)), replace(far_excess, inner=(far,))
+
+
+def _newton(claims: Stated, later: Symbol, goes_on: str) -> tuple[Reading, ...]:
+    """The steps of the error of a step of Newton's method, whose phase stays above 3."""
+    cited = claims("phase_range", goes_on)
+    w = sqrt(1 + b / a) * sinh(_k * later)
+    apart = _difference(_w, w)
+    error = sinh(_k * P) / sinh(_k * later) - 1
+    return (
+        Reading(charts.tangent_error, (P - later, P, _k), error, shape, cited=cited),
+        Reading(charts.angle_difference, (error, _w), apart, shape, cited=cited),
+        Reading(charts.far_error, (_k * (P - later), P, 1 / _k), error, shape, cited=cited),
+        Reading(
+            charts.far_angle_error,
+            (error, 1 / _w),
+            apart / epsilon0,
+            shape,
+            claims("defect_by_phase"),
+            cited,
+        ),
+    )
+
+
+# -- charts ---------------------------------------------------------------------------------------
+
+
+def _charts(*on: On, readings: Callable[[Stated], tuple[Reading, ...]] = _readings) -> Charts:
+    return Charts(lambda claims: Charted(on, readings(claims)))
+
+
+def _within(
+    error: Callable[..., Any], limit: str, over: Expr, slopes: bool = False
+) -> tuple[Shown, ...]:
+    """The two margins of |error| ≤ limit, multiplied by ``over``."""
+    most = as_rational(limit)
+    return (
+        Shown(lambda *at: most - error(*at), over, slopes=slopes),
+        Shown(lambda *at: most + error(*at), over, slopes=slopes),
+    )
+
+
+def _between(ratio: Callable[..., Any], low: str, high: str, gauge: Expr) -> tuple[Shown, ...]:
+    """The two margins of low · gauge < size < high · gauge, where ``ratio`` is size/gauge."""
+    least, most = as_rational(low), as_rational(high)
+    return (
+        Shown(lambda *at: ratio(*at) - least, gauge),
+        Shown(lambda *at: most - ratio(*at), gauge),
+    )
+
+
+def _below(error: Callable[..., Any], limit: str, gauge: Expr) -> Charts:
+    """|size| ≤ limit · gauge on ab ≥ 1/4, where ``error`` is size/gauge in the chart (b, κ)."""
+    return _charts(On(BY_KAPPA, KAPPA, _within(error, limit, gauge)))
+
+
+def _every(
+    near: Callable[..., Any],
+    far: Callable[..., Any],
+    limit: str,
+    begin: Callable[[Any], Any],
+    slopes: bool = False,
+) -> tuple[On, On]:
+    """|ε/ε₀ − 1| ≤ limit for every shape, by the margin of either chart."""
+
+    def margins(error: Callable[..., Any], slopes: bool) -> tuple[Shown, ...]:
+        return _within(lambda x, y, m: error(x, y, begin(m), m), limit, Integer(1), slopes)
+
+    return (
+        On(BY_K, NEAR_CHART, margins(near, slopes), _NEARER),
+        On(BY_KAPPA, FAR_CHART, margins(far, False), _FARTHER),
+    )
+
+
+# -- the theorem as printed
+
+
+def _printed_parts(b: Any, kappa: Any, m: Any) -> tuple[Any, Any]:
+    """log(printed/ε₀) = b³κ² p − κ² q in the chart (b, κ): p and q, from ε* and from Q(ε₀)."""
+    root = charts.root_by_kappa(b, kappa, m)
+    rate = charts.exponent_rate(*root, m)
+    growth = m.exp(2 * root.defect * root.defect * rate)
+    star = charts.leading_square_over(b, kappa, m)
+    # log(printed/ε*) = b (arctan r/r − 1/√(1 + r²)), which is b r² p.
+    return charts.printed_excess(root.r, m), star * rate * growth
+
+
+def printed_logarithm(b: Any, kappa: Any, m: Any) -> Any:
+    """log(printed/ε₀) · ab in the chart (b, κ)."""
+    algebraic, flat = _printed_parts(b, kappa, m)
+    return b * b * b * algebraic - flat
+
+
+def _printed_relative(b: Any, kappa: Any, m: Any) -> Any:
+    """(printed/ε₀ − 1) a/b² in the chart (b, κ), away from b = 0; a/b² = (1/κ²)/b³."""
+    algebraic, flat = _printed_parts(b, kappa, m)
+    cube = b * b * b
+    scaled = algebraic - flat / cube
+    return scaled * charts.expm1_over(cube * kappa * kappa * scaled)
+
+
+printed_chart = _below(printed_logarithm, "0.17", 1 / (a * b))
+beside_chart = _charts(
+    On(
+        BY_KAPPA,
+        box(("1/4", 1), (0, "1/2")),
+        _between(_printed_relative, "0.133", "0.168", b**2 / a),
+    )
+)
+
+# -- the theorem repaired
+
+EXCESS: tuple[Callable[..., Any], ...] = (
+    lambda b, kappa, m: charts.first_excess(charts.root_by_kappa(b, kappa, m), m),
+    lambda b, kappa, m: charts.second_excess(charts.root_by_kappa(b, kappa, m), m),
+    lambda b, kappa, m: charts.third_excess(charts.root_by_kappa(b, kappa, m), m),
+)
+"""(ε₀/ε* − Σ_{n≤N} c_n ε*^{2n})/ε*^{2N+2} for N = 0, 1, 2, in the chart (b, κ)."""
+
+first_order_chart = _below(EXCESS[0], "1.451", epsilon_star**2)
+second_order_chart = _below(EXCESS[1], "2.98", epsilon_star**4)
+third_order_chart = _below(EXCESS[2], "7.36", epsilon_star**6)
+
+growth_chart = _charts(
+    On(
+        BY_KAPPA,
+        KAPPA,
+        (
+            Shown(lambda *at: fmpq(1, 4) - charts.growth(*at)[0]),
+            Shown(lambda *at: fmpq(13, 5) - charts.growth(*at)[1]),
+        ),
+    )
+)
+
+# -- one bound for all shapes
+
+_TEN_THIRDS, _times = fmpq(10, 3), Rational(10, 3)
+_decay = exp(-_k * (pi + asin(sqrt(b / (a + b)))))
+"""q, where ε* is 2 cos θ q."""
+_square, _cube = (exp(-n * _k * (pi + asin(sqrt(b / (a + b))))) for n in (2, 3))
+_squared, _cubed = exp(-3 * pi * _k), exp(-Rational(9, 2) * pi * _k)
+
+
+def _gap(side: int) -> Callable[..., Any]:
+    """(10/3) q³ ∓ (ε₀ − ε*) in the chart (b, k)."""
+
+    def margin(b: Any, k: Any, m: Any) -> Any:
+        gap, cube = charts.cubic_gap(b, k, m)
+        return _TEN_THIRDS * cube - side * gap
+
+    return margin
+
+
+def _cubic(side: int) -> Callable[..., Any]:
+    """The same over (1 + R) ε*³, in the chart (b, κ)."""
+
+    def margin(b: Any, kappa: Any, m: Any) -> Any:
+        root = charts.root_by_kappa(b, kappa, m)
+        stretched = 1 + root.r * root.r
+        return m.sqrt(stretched) * 5 / 12 - side * charts.first_excess(root, m) / stretched
+
+    return margin
+
+
+def _corner(b: Any, kappa: Any, m: Any) -> Any:
+    """3/8 less what the next term of the series takes, over κ²."""
+    root = charts.root_by_kappa(b, kappa, m)
+    return fmpq(3, 8) - charts.leading_square_over(b, kappa, m) * charts.second_excess(root, m)
+
+
+_stretch = epsilon_star**3 * (1 + b / a)
+_at_corner = (
+    Rational(5, 12) * (1 + b / a) * sqrt(1 + b / a) - (6 * b - 1 + 3 * b / a) / 12 - 3 / (8 * a * b)
+)
+"""What the claim `corner` says is not negative."""
+_least, _small = Rational(1, 400), Rational(1, 16)
+
+
+def _everywhere(claims: Stated) -> Charted:
+    tiny = On(
+        BY_K,
+        box((0, 1), (0, "1/20")),
+        (
+            Shown(
+                lambda b, k, m: _TEN_THIRDS * m.exp(-9 * m.pi * k / 2) - m.pi / 2,
+                spare=_times * (_cube - _cubed) + (pi / 2 - epsilon0) + epsilon_star,
+            ),
+            Shown(
+                lambda b, k, m: _TEN_THIRDS * m.exp(-3 * m.pi * k) - 2,
+                _decay,
+                _times * _decay * (_square - _squared) + (2 * _decay - epsilon_star) + epsilon0,
+            ),
+        ),
+        (a * b <= _least,),
+        claims("decay_at_least"),
+    )
+    near = On(
+        BY_K,
+        box((0, 1), ("1/20", "1/4")),
+        (Shown(_gap(1), slopes=True), Shown(_gap(-1), slopes=True)),
+        (a * b >= _least, a * b <= _small),
+    )
+    far = On(
+        BY_KAPPA,
+        box((0, 1), ("1/2", 4)),
+        (Shown(_cubic(1), _stretch), Shown(_cubic(-1), _stretch)),
+        (a * b >= _small, a * b <= 4),
+    )
+    corner = On(
+        BY_KAPPA,
+        box((0, 1), (0, "1/2")),
+        (
+            Shown(_corner, epsilon_star**3 / (a * b), spare=epsilon_star**3 * _at_corner),
+            Shown(_cubic(-1), _stretch),
+        ),
+        (a * b >= 4,),
+        claims("corner"),
+    )
+    return Charted((tiny, near, far, corner), _readings(claims))
+
+
+all_shapes_charts = Charts(_everywhere)
+
+# -- one formula for every body
+
+sweep_from_pi_charts = _charts(
+    *_every(charts.sweep_error, charts.far_sweep_error, "0.028", lambda m: m.pi, slopes=True)
+)
+sweep_from_four_charts = _charts(
+    *_every(charts.sweep_error, charts.far_sweep_error, "0.0065", lambda m: fmpq(4), slopes=True)
+)
+
+
+@cache
+def _readings_pi(claims: Stated) -> tuple[Reading, ...]:
+    later = Symbol("P_pi", real=True)
+    excess = _excess(claims, pi, later, "phase_from_pi")
+    return (*_readings(claims), *excess, *_newton(claims, later, "newton_pi_goes_on"))
+
+
+@cache
+def _readings_four(claims: Stated) -> tuple[Reading, ...]:
+    later = Symbol("P_4", real=True)
+    excess = _excess(claims, Integer(4), later, "phase_from_four")
+    return (*_readings(claims), *excess, *_newton(claims, later, "newton_four_goes_on"))
+
+
+newton_from_pi_charts = _charts(
+    *_every(charts.newton_error, charts.far_newton_error, "0.0001", lambda m: m.pi),
+    readings=_readings_pi,
+)
+newton_from_four_charts = _charts(
+    *_every(charts.newton_error, charts.far_newton_error, "0.000004", lambda m: fmpq(4)),
+    readings=_readings_four,
+)
