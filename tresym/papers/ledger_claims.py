@@ -102,8 +102,10 @@ from tresym.ledger.conversion import conditions, tree
 from tresym.ledger.evidence.asymptotics import SIDES, Asymptotics
 from tresym.ledger.evidence.chart_bounds import Charted, Charts
 from tresym.ledger.evidence.decided import Decided
+from tresym.ledger.evidence.integrals import with_bounds
 from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.evidence.sign_prover import undefined
+from tresym.ledger.reasons import citing
 from tresym.ledger.statements import (
     As,
     AtMostOne,
@@ -519,7 +521,7 @@ class _Reader(Reader):
             says = self._tending(says, clauses["as"])
         steps = self._steps(self._clause_free(written), says, uses)
         given = [*self._declared_about((says, *given)), *given]
-        self._need_domains(given)
+        self._need_domains(given, uses)
         fields |= {"says": says, "given": tuple(given)}
         at = clauses.get("at", "")
         along, beside = self._along(at) if at and isinstance(says, As) else ({}, None)
@@ -776,7 +778,7 @@ class _Reader(Reader):
         made: Basic = _CLASS[sign](*sides, evaluate=False)
         return made
 
-    def _need_domains(self, given: list[Basic]) -> None:
+    def _need_domains(self, given: list[Basic], uses: list[Claim]) -> None:
         """Where the form that SymPy gives an expression has a value, the expression must have one.
 
         SymPy writes x for the square of √x, and 1 for x/x.
@@ -784,10 +786,11 @@ class _Reader(Reader):
         known = tuple(c for c in given if isinstance(c, Relational) and not isinstance(c, Eq))
         values = (c for c in given if isinstance(c, Eq) and isinstance(c.lhs, Symbol))
         known += tuple(end(*c.args, evaluate=False) for c in values for end in (Ge, Le))
+        meant = with_bounds(conditions(known), (citing(*uses),))
         own = {there: symbol(name) for name, there in OWN.items()}
         for written, made in self.converted:
             there = needs(map(ordered, _without_binders(tree(made))))
-            where = (*conditions(known), *(Relation(part, sign, ZERO) for part, sign in there))
+            where = (*meant, *(Relation(part, sign, ZERO) for part, sign in there))
             for e in map(ordered, _without_binders(substitute(written, own))):
                 if all(part in there or not symbols(part[0]) for part in needs((e,))):
                     continue
