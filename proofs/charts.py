@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 from typing import Any
 
 from tresym.proofs.conditions import shape
@@ -22,6 +23,7 @@ from tresym.proofs.conditions import shape
 from tresym.ledger.evidence.chart_bounds import Charts, Stated
 from tresym.ledger.vocabulary import *
 from tresym.racket.bounds import charts
+from tresym.racket.comparison.constants import CONSTANTS
 from tresym.racket.notation import *
 from tresym.reals.numbers.exact import as_rational
 
@@ -386,3 +388,77 @@ newton_from_four_charts = _charts(
     *_every(charts.newton_error, charts.far_newton_error, "0.000004", lambda m: fmpq(4)),
     readings=_readings_four,
 )
+
+# -- the constants against the least a ------------------------------------------------------------
+
+EXCESSES = (charts.first_excess, charts.second_excess)
+UNIT = box((0, 1), (0, 1))
+LEAST = fmpq(1, 10)
+"""Below this a₀ slabs are used."""
+
+
+def region_beyond(order: int, a0: fmpq, constant: fmpq) -> tuple[On, On]:
+    """The bounds on the whole region a ≥ a₀: in (b, κ√a₀) and in (k/√a₀, a₀/a)."""
+    least = Rational(int(a0.p), int(a0.q))
+
+    def near(b: Any, scaled: Any, m: Any) -> charts.Root:
+        return charts.root_by_kappa(b, scaled / m.sqrt(a0), m)
+
+    def far(scaled: Any, alpha: Any, m: Any) -> charts.Root:
+        return charts.root_by_k(scaled * m.sqrt(a0), alpha / a0, m)
+
+    def shown(chart: Callable[..., charts.Root]) -> tuple[Shown, ...]:
+        def margin(side: int) -> Callable[..., Any]:
+            return lambda x, y, m: constant - side * EXCESSES[order](chart(x, y, m), m)
+
+        return tuple(Shown(margin(side), epsilon_star ** (2 * order + 2)) for side in (1, -1))
+
+    beyond = (a >= least,)
+    return (
+        On((b, sqrt(least / (a * b))), UNIT, shown(near), (*beyond, a * b >= least)),
+        On((sqrt(a * b / least), least / a), UNIT, shown(far), (*beyond, a * b <= least)),
+    )
+
+
+def slab(order: int, a0: fmpq, a1: fmpq, constant: fmpq) -> On:
+    """The bounds on a₀ ≤ a ≤ a₁, in the chart (a, √b)."""
+
+    def margin(side: int) -> Callable[..., Any]:
+        def upper(a: Any, root_b: Any, m: Any) -> Any:
+            gap, power = charts.gap_over(a, root_b, order, m)
+            return power * constant - side * gap
+
+        return upper
+
+    shown = tuple(Shown(margin(side), 1 / epsilon_star, slopes=True) for side in (1, -1))
+    low, high = (Rational(int(x.p), int(x.q)) for x in (a0, a1))
+    return On((a, sqrt(b)), box((a0, a1), (0, 1)), shown, (a >= low, a <= high))
+
+
+def _from(order: int, least: str) -> Charts:
+    """The bound from a ≥ ``least`` on: on slabs up to 1/10, and on the remaining region."""
+    rows = [row for row in CONSTANTS if as_rational(row.least) >= as_rational(least)]
+    a0, constant = as_rational(least), as_rational(rows[0][1 + order])
+    ends = [as_rational(row.least) for row in rows if as_rational(row.least) <= LEAST]
+    slabs = (slab(order, low, high, constant) for low, high in pairwise(ends))
+    return _charts(*slabs, *region_beyond(order, max(a0, LEAST), constant))
+
+
+repaired_from_1_100_charts = _from(0, "1/100")
+repaired_from_1_30_charts = _from(0, "1/30")
+repaired_from_1_10_charts = _from(0, "1/10")
+repaired_from_1_4_charts = _from(0, "1/4")
+repaired_from_1_2_charts = _from(0, "1/2")
+repaired_from_1_charts = _from(0, "1")
+repaired_from_2_charts = _from(0, "2")
+repaired_from_5_charts = _from(0, "5")
+repaired_from_10_charts = _from(0, "10")
+second_order_from_1_100_charts = _from(1, "1/100")
+second_order_from_1_30_charts = _from(1, "1/30")
+second_order_from_1_10_charts = _from(1, "1/10")
+second_order_from_1_4_charts = _from(1, "1/4")
+second_order_from_1_2_charts = _from(1, "1/2")
+second_order_from_1_charts = _from(1, "1")
+second_order_from_2_charts = _from(1, "2")
+second_order_from_5_charts = _from(1, "5")
+second_order_from_10_charts = _from(1, "10")

@@ -113,13 +113,15 @@ logarithm: diff(log(x), x) == 1/x
 positive: diff(log(x), x) == 1/x given x > 0
 value: at(diff(sqrt(x), x), x, a) == 1/(2*sqrt(a))
 square_of_root: sqrt(x)**2 == x given x > 0
+larger: x > 0 given x > a, a > 0
+root_where_larger: sqrt(x)**2 == x given x > a, a > 0 using larger
 quotient: x/x == 1 given x != 0
 value_there: at(diff(sqrt(x), x), x, a) == 1/(2*sqrt(a)) given a > 0
 """,
     )
     found = verdicts(part)
     holds = {"square", "chain", "bound", "by_bound", "squares", "positive", "value_there"}
-    holds |= {"square_of_root", "quotient"}
+    holds |= {"square_of_root", "quotient", "larger", "root_where_larger"}
     assert part.squares.says == Ge(x**2 + y**2 - x * y, 0)
     assert {label for label, verdict in found.items() if verdict == "PROVED"} == holds
     assert found["too_much"] == found["not_above"] == "REFUTED"
@@ -145,6 +147,7 @@ REFUSED = {
     "one: diff(sqrt(x)**2, x) == 1": "has a value at more points",
     "one: integral(x*sqrt(t)/sqrt(t), t, 0, 1) == x": "has a value at more points",
     "one: 0*log(x) == 0": "has a value at more points",
+    "one: x > 0 given x > 1\ntwo: sqrt(x)**2 == x using one": "has a value at more points",
     "one: x > 0\n> fault: haste": "is not one of",
     "one: x > 0\n> quotes: MOTION": "MOTION is no theorem",
     "one [line 3, row 2]: x > 0": "is not a place",

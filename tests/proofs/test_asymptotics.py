@@ -250,7 +250,7 @@ def test_the_excesses_are_those_of_the_exact_root(a, b, order):
     with ball_precision(256):
         _, b_, k, _, _ = balls_of(a, b)
         expected = excesses(a, b, 12)[order]
-        ratio = constants.EXCESSES[order]
+        ratio = stored_charts.EXCESSES[order]
         assert abs(ratio(charts.root_by_k(k, 1 / arb(a), balls), balls) - expected) < 1e-9
         assert abs(ratio(charts.root_by_kappa(b_, 1 / k, balls), balls) - expected) < 1e-9
         gap, power = charts.gap_over(arb(a), b_.sqrt(), order, balls)
@@ -297,9 +297,9 @@ def test_constants_against_the_least_a_are_within_one_per_cent(row, order):
     assert least < arb(constant)
     assert least > arb(constant) * arb("0.99")
     short = constant * fmpq(99, 100)
-    proofs = [constants._charts(order, a0, short)]
-    if a0 < constants.LEAST:
-        proofs.append((constants._slab(order, a0, 2 * a0, short),))
+    proofs = [stored_charts.region_beyond(order, a0, short)]
+    if a0 < stored_charts.LEAST:
+        proofs.append((stored_charts.slab(order, a0, 2 * a0, short),))
     for bounds in map(bounds_of, proofs):
         assert Verdict.REFUTED in {decide_bound(bound, budget=50).verdict for bound in bounds}
 
@@ -308,7 +308,7 @@ def test_constants_against_the_least_a_are_within_one_per_cent(row, order):
 @pytest.mark.parametrize(("a0", "row"), [("1/5", 3), ("9/10", 5), ("9", 8)])
 def test_a_constant_does_not_reach_below_its_least_a(order, a0, row):
     constant = as_rational(CONSTANTS[row][1 + order])
-    bounds = bounds_of(constants._charts(order, as_rational(a0), constant))
+    bounds = bounds_of(stored_charts.region_beyond(order, as_rational(a0), constant))
     assert Verdict.REFUTED in {decide_bound(bound, budget=50).verdict for bound in bounds}
 
 
@@ -459,7 +459,7 @@ def _wrong_exponent(order, power, constant):
 
     def margin(b, kappa, m):
         star = charts.by_kappa(b, kappa, m).leading
-        excess = constants.EXCESSES[order](charts.root_by_kappa(b, kappa, m), m)
+        excess = stored_charts.EXCESSES[order](charts.root_by_kappa(b, kappa, m), m)
         return arb(constant) * star**power - excess
 
     return margin
@@ -478,7 +478,7 @@ def test_a_wrong_exponent_at_the_flat_edge_is_refuted(order, power, sides):
 @pytest.mark.parametrize("order", [0, 1])
 def test_no_constant_serves_the_corner_where_a_vanishes(order, constant):
     """The chart (a, √b) up to a = 0: ε₀ tends to a positive limit at b = 1, and ε* to 0."""
-    bounds = bounds_of((constants._slab(order, fmpq(0), fmpq(1, 10), as_rational(constant)),))
+    bounds = bounds_of((stored_charts.slab(order, fmpq(0), fmpq(1, 10), as_rational(constant)),))
     verdicts = {decide_bound(bound, budget=600).verdict for bound in bounds}
     assert verdicts != {Verdict.ENCLOSED}
     assert constant == "1000000" or Verdict.REFUTED in verdicts

@@ -1,7 +1,7 @@
 """Constants of |ε₀/ε* − 1| ≤ K ε*² and |ε₀/ε* − 1 − c₁ε*²| ≤ K₂ ε*⁴ on {a ≥ a₀, 0 < b ≤ 1}.
 
-They are proved in ``proofs/constants.py``; here they are data, with the ratios they bound. At the
-corner a = a₀, b = 1 each ratio comes within one per cent of its constant.
+They are proved in ``proofs/constants.tresym``; here they are data, with the ratios they bound. At
+the corner a = a₀, b = 1 each ratio comes within one per cent of its constant.
 """
 
 from __future__ import annotations
