@@ -20,12 +20,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from tresym.proofs import euler_angles, flip_dynamics
+from tresym.proofs import euler_angles, flip_dynamics, turn_integral
 from tresym.proofs.conditions import shape
 from tresym.proofs.numbers_in_text import lower_level, upper_level_exact
 from tresym.proofs.printed import moments, number
 from tresym.proofs.rigid_bodies import realizable
-from tresym.proofs.turn_integral import one_rotating_level
 from tresym.proofs.turning import (
     beyond_right_angle,
     body_stays_below,
@@ -135,7 +134,9 @@ decrease_in_gamma = Claim(
 )
 
 one_level = Claim(
-    **jointly(one_rotating_level, one_turned_level, phase_rises_in_gamma, beyond_right_angle),
+    **jointly(
+        turn_integral.one_rotating_level, one_turned_level, phase_rises_in_gamma, beyond_right_angle
+    ),
     note="Φ(2π, γ) = 2Φ(π, γ), so these γ are exactly those above one level.",
 )
 
@@ -189,10 +190,10 @@ always_decreasing = Claim(
 
 perfect_level = number(
     "The standard racket flips perfectly, ε = 0, at γ = {}.",
-    TheRoot(*one_rotating_level.statement.args),
+    TheRoot(*turn_integral.one_rotating_level.statement.args),
     "3.20e-3",
     (*moments("str"), equal(epsilon, 0)),
-    *(euler_angles.d08, one_rotating_level, flip_dynamics.d19),
+    *(euler_angles.d08, turn_integral.one_rotating_level, flip_dynamics.d19),
 )
 
 standard_is_a_body = Claim(
@@ -202,7 +203,13 @@ standard_is_a_body = Claim(
 )
 
 levels_of_the_thresholds = Claim(
-    **jointly(lower_level, perfect_level, upper_level_exact, one_rotating_level, one_turned_level),
+    **jointly(
+        lower_level,
+        perfect_level,
+        upper_level_exact,
+        turn_integral.one_rotating_level,
+        one_turned_level,
+    ),
 )
 
 label_claims(globals())

@@ -13,13 +13,19 @@ to the exact equation, there is a claim for each interpretation.
 
 from __future__ import annotations
 
-from tresym.proofs import euler_angles, flip_dynamics, monotonicity, phase_portraits, regimes
+from tresym.proofs import (
+    euler_angles,
+    flip_dynamics,
+    monotonicity,
+    phase_portraits,
+    regimes,
+    turn_integral,
+)
 from tresym.proofs.conditions import STANDARD, defect, shape, shape_of_a_body, standard_racket
 from tresym.proofs.model import angular_velocity
 from tresym.proofs.orders import remark1
 from tresym.proofs.printed import inputs, moments, number, share_of_pi
 from tresym.proofs.separatrix import defect_is_one, flip_defect, leading_defect, one_flip_defect
-from tresym.proofs.turn_integral import closed_form, closed_slope, one_rotating_level
 from tresym.proofs.turning import chi, edge, longest_turn, one_turned_level, phase, raised
 
 from tresym.ledger.vocabulary import *
@@ -94,7 +100,7 @@ accuracy_relative = number(
 
 # -- the slope ------------------------------------------------------------------------------------
 
-_slope = closed_form.xreplace({epsilon: epsilon0})
+_slope = turn_integral.closed_form.xreplace({epsilon: epsilon0})
 """dε/dγ at γ = 0."""
 
 slope_str_formula = number(
@@ -110,7 +116,7 @@ slope_str_exact = number(
     _slope,
     "-35.6",
     STR,
-    *(*EXACTLY, closed_slope),
+    *(*EXACTLY, turn_integral.closed_slope),
 )
 slope_str_leading = number(
     "With the exact ε₀ the leading term −1/(4bε₀) is {}, for the standard racket.",
@@ -124,7 +130,7 @@ d27 = number(
     _slope,
     "-34.5",
     STR,
-    *(*EXACTLY, closed_slope),
+    *(*EXACTLY, turn_integral.closed_slope),
     where=display(27),
     expect=Verdict.REFUTED,
     amended_by=(slope_str_exact, slope_str_formula, slope_str_leading),
@@ -151,17 +157,17 @@ upper_level_linear = number(
 )
 upper_level_exact = number(
     "The standard racket has ε = −π/12 at γ = {} in fact.",
-    TheRoot(*one_rotating_level.statement.args),
+    TheRoot(*turn_integral.one_rotating_level.statement.args),
     "1.04e-2",
     _UPPER,
-    *(euler_angles.d08, one_rotating_level, flip_dynamics.d19),
+    *(euler_angles.d08, turn_integral.one_rotating_level, flip_dynamics.d19),
 )
 upper_level = number(
     "For the standard racket ε = −π/12 at γ = {}.",
-    TheRoot(*one_rotating_level.statement.args),
+    TheRoot(*turn_integral.one_rotating_level.statement.args),
     "1.09e-2",
     _UPPER,
-    *(euler_angles.d08, one_rotating_level, flip_dynamics.d19),
+    *(euler_angles.d08, turn_integral.one_rotating_level, flip_dynamics.d19),
     expect=Verdict.REFUTED,
     amended_by=(upper_level_exact, upper_level_linear),
     note="The number is that of the linear formula.",
@@ -317,7 +323,7 @@ robustness_at_fixed_b = Claim(
 larger_ab_less_robust = Claim(
     says="The larger the product ab is, the less robust is the effect: |dε/dγ| at γ = 0 is larger.",
     kind="bound",
-    means=Le(*_of_both(-closed_form.xreplace({epsilon: _defect})), evaluate=False),
+    means=Le(*_of_both(-turn_integral.closed_form.xreplace({epsilon: _defect})), evaluate=False),
     given=_LESS,
     proof=Counterexample(_shapes("1", "1/100", "1", "3/10"), (defect_is_one,)),
     where=line(254),

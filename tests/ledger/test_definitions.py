@@ -553,8 +553,6 @@ NO_ROOT = {
     "a symbol of the equation": replace(ROOT, says=Root(x, ONE_ROOT).says, proof=Root(x, ONE_ROOT)),
     "the bound symbol": replace(ROOT, says=Root(t, ONE_ROOT).says, proof=Root(t, ONE_ROOT)),
     "a symbol of the end": replace(ROOT, says=Root(z, FROM_Z).says, proof=Root(z, FROM_Z)),
-    "shown by itself": replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=all_of(ONE_ROOT)))),
-    "shown by a chain": replace(ROOT, proof=Root(y, replace(ONE_ROOT, proof=(step(x),)))),
 }
 
 

@@ -250,6 +250,52 @@ both: b == S**2 [two] == (x + y)**2 [one] and S == x + y [one]
     assert found["wrong"] == "UNDECIDED"
 
 
+def test_rules_for_integrals_are_checked_where_a_step_names_them(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """f(t) := exp(-t**4)
+changed: integral(f(t), t, 1, 3) == integral(f(sqrt(u))/(2*sqrt(u)), u, 1, 9) [u = t**2]
+cut: integral(f(t), t, 0, 3) == integral(f(t), t, 0, 1) + integral(f(t), t, 1, 3) [cut at 1]
+put_in: integral(a + f(t), t, 0, 1) == integral(a, t, 0, 1) + integral(f(t), t, 0, 1) [one integral]
+  == a + integral(f(t), t, 0, 1) [antiderivative a*t]
+wrong_ends: integral(f(t), t, 1, 3) == integral(f(sqrt(u))/(2*sqrt(u)), u, 1, 3) [u = t**2]
+turned: integral(f(t), t, -1, 1) == integral(f(sqrt(u))/(2*sqrt(u)), u, 1, 1) [u = t**2]
+outside: integral(f(t), t, 0, 1) == integral(f(t), t, 0, 3) + integral(f(t), t, 2, 1) [cut at 3]
+through_a_pole: integral(1/t, t, -1, 1) == log(1) - log(-1 + 2) [antiderivative log(abs(t))]
+""",
+    )
+    found = verdicts(part)
+    true = {label for label, verdict in found.items() if verdict == "PROVED"}
+    assert true == {"changed", "cut", "put_in"}
+
+
+def test_what_an_equation_defines(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """y0, slope, fold real
+one: exactly one y in (0, 2): y**3 + y == x given x > 0, x < 1
+none: exactly one y in (1, 2): y**3 + y == x given x > 0, x < 1
+let root: y0 := root of one, x > 0, x < 1
+let other: S := root of none, x > 0, x < 1
+assume curve: integral(exp(t*x), t, 0, y) == 1
+assume bowl: integral(2*t*exp(t*x), t, 0, y) == 1
+slope: slope == -(y**2/2)/1 shown by curve solved for y(x), x == 0
+fold: fold == -y**2/3 given y > -1 shown by bowl solved for y(x), x == 0
+true: slope == -y**2/2 using slope
+false: slope == -y**2/3 using slope
+""",
+    )
+    assert part.root.says == Tuple(
+        Eq(Symbol("y0", real=True) ** 3 + Symbol("y0", real=True), x, evaluate=False),
+        *(Gt(Symbol("y0", real=True), 0), Symbol("y0", real=True) < 2),
+    )
+    found = verdicts(part)
+    assert found["root"] == "DEFINED"
+    assert (found["slope"], found["true"]) == ("PROVED", "PROVED")
+    assert (found["none"], found["other"]) == ("REFUTED", "UNDECIDED")
+    assert (found["fold"], found["false"]) == ("UNDECIDED", "UNDECIDED")
+
+
 def test_orders_along_paths(tmp_path: Path) -> None:
     part = read(
         tmp_path,

@@ -36,7 +36,7 @@ from tresym.reals.decisions.roots_over_boxes import FEW, decide_over_boxes
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.domain.operation_domains import bound, needs, operations
-from tresym.reals.language.binders import derivative, elementary, worked_out
+from tresym.reals.language.binders import derivative, elementary, outermost, worked_out
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.claims import Written
 from tresym.reals.language.compound import (
@@ -300,11 +300,31 @@ class _Deciding:
         if name not in symbols(f):
             return Answer(UNDECIDED, f"{claim.name} does not stand in the equation")
         if not elementary(f):
-            return Answer(UNDECIDED, "solutions are counted of elementary equations only")
+            return self.at_most_one_by_slope(claim, f, name)
         search = _Solutions(claim, f, name)
         if any(claim.closed):
             return self.on_closed(search)
         return self.between_the_ends(search)
+
+    def at_most_one_by_slope(self, claim: Count, f: Expr, name: str) -> Answer:
+        """Show that ``f``, with integrals, is strictly monotone: its derivative has one sign."""
+        if claim.how != "at most one" or any(claim.closed):
+            return Answer(UNDECIDED, "solutions are counted of elementary equations only")
+        x, slope = symbol(name), derivative(f, name)
+        ends = ((claim.low, "<", x), (x, "<", claim.high))
+        finite = (link for link in ends if not symbols(link[0] - link[2]) & {INFINITY.args[0]})
+        inside = (*claim.given, *finite)
+        marks = {node: symbol(f"[{n}]") for n, node in enumerate(dict.fromkeys(outermost(f)))}
+        gap = continuous_on(replaced(f, marks), Given(inside), proof)
+        if gap is not None:
+            return Answer(UNDECIDED, f"{gap} is not shown to be continuous")
+        tried = []
+        for sign in (">", "<"):
+            found = self.asked((slope, sign, ZERO), inside)
+            if found:
+                return _by_lemma(MEAN_VALUE, [found])
+            tried.append(found)
+        return _not_shown(tried)
 
     def on_closed(self, search: _Solutions) -> Answer:
         """Count where an end belongs to the interval: it is a solution itself, or it is not."""

@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 from sympy import Basic, Derivative, Eq, Integral, Subs, Symbol
 
-from tresym.ledger.claim import Claim, Definition, Root, UniqueRoot, equal, expressions, parts_of
+from tresym.ledger.claim import Claim, Definition, Root, equal, expressions, parts_of
 from tresym.ledger.conversion import (
     DEFINING,
     Behind,
@@ -158,7 +158,7 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
 def _no_root(claim: Claim, proof: Root) -> str | None:
     """Return why the symbol does not name the unique root, or None if it does."""
     unique = proof.unique.statement
-    shown = isinstance(proof.unique.proof, UniqueRoot) and proof.unique.given == claim.given
+    shown = proof.unique.expect is Verdict.PROVED and proof.unique.given == claim.given
     if not shown or not isinstance(unique, ExactlyOne) or unique.difference is None:
         return "no claim with the same conditions proves that there is exactly one root"
     if claim.says != proof.says:

@@ -6,22 +6,25 @@ from dataclasses import replace
 
 from sympy import Basic, Derivative, Eq, Subs
 
+from tresym.checking.dispatch import decide_claim
 from tresym.ledger.claim import Chain, Claim, ImplicitFunction, Monotone, UniqueRoot, by, equal
 from tresym.ledger.conversion import Conditions, conditions, definitions, formula, tree
 from tresym.ledger.counterexamples import rootless
 from tresym.ledger.evidence.chain import check_chain, unmet_condition
 from tresym.ledger.evidence.integrals import NotShownError, need, need_smooth, under_binder
 from tresym.ledger.evidence.satisfiability import satisfiable
-from tresym.ledger.evidence.sign_prover import continuous_on, manifest_sign
+from tresym.ledger.evidence.sign_prover import continuous_on, manifest_sign, undefined
 from tresym.ledger.finding import Finding, StepFinding
 from tresym.ledger.reasons import substituting
 from tresym.ledger.refutations import PROVED, REFUTED, UNDECIDED, need_all, need_possible, refute
 from tresym.ledger.statements import AtMostOne, ExactlyOne
+from tresym.reals.decisions.answer import Answer
+from tresym.reals.decisions.claim_parsing import stated
 from tresym.reals.decisions.root_values import by_leibniz
-from tresym.reals.language.binders import derivative
+from tresym.reals.language.binders import derivative, worked_out
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import ZERO, Expr, substitute, symbols
-from tresym.reals.language.formula import Relation
+from tresym.reals.language.formula import Compared, Relation
 
 
 def judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
@@ -136,7 +139,7 @@ def judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     there = substitute(left, {p: at})
     by_unknown = derivative(there, u)
     slope = -derivative(left, p, at) / by_unknown
-    if not under_binder(says.right, slope, outside):
+    if not under_binder(says.right, slope, outside) and not _holds(says.right, slope, outside):
         why = "the stated derivative differs from the derivative of the implicit function"
         other = Finding(UNDECIDED, why)
         return _refuted_slope(claim, proof) or other
@@ -149,15 +152,38 @@ def judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     if proof.slope:
         steps, sign = _chain_to_sign(by_unknown, proof.slope, outside)
         need_all(steps)
+        manifest = sign in ("+", "-")
+        need(manifest, f"could not show the sign of the derivative with respect to {u}", steps)
+    elif manifest_sign(by_leibniz(by_unknown), outside) in ("+", "-"):
+        steps = ()
     else:
-        steps, sign = (), manifest_sign(by_leibniz(derivative(there, u)), outside)
-    manifest = sign in ("+", "-")
-    need(manifest, f"could not show the sign of the derivative with respect to {u}", steps)
+        steps = _apart_from_zero(by_unknown, outside)
     written = tuple(c for c in claim.given if proof.parameter not in c.free_symbols)
     on_curve = (proof.equation.decided.xreplace({proof.parameter: proof.at}),)
     need(satisfiable(written, on_curve), "no point was found that satisfies the equation", steps)
     why = f"the equation is smooth and its derivative with respect to {u} is not zero"
     return Finding(PROVED, why, steps=steps)
+
+
+def _apart_from_zero(slope: Expr, given: Conditions) -> tuple[StepFinding, ...]:
+    """Require that a derivative has no zero, as the engine decides.
+
+    Raises:
+        NotShownError: it was not proved.
+    """
+    answer = _asked((slope, "!=", ZERO), given)
+    need(answer.verdict is PROVED, f"could not show that {slope} is not 0: {answer.why}")
+    return (StepFinding(PROVED, str(answer)),)
+
+
+def _holds(one: Expr, other: Expr, given: Conditions) -> bool:
+    """Whether the engine proves two expressions equal, of which the first is defined."""
+    defined = undefined(worked_out(one), given) is None
+    return defined and _asked((one, "==", other), given).verdict is PROVED
+
+
+def _asked(link: Compared, given: Conditions) -> Answer:
+    return decide_claim(stated((link,), tuple((c.left, c.sign, c.right) for c in given)))
 
 
 def _refuted_slope(claim: Claim, proof: ImplicitFunction) -> Finding | None:

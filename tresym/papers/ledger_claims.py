@@ -27,9 +27,14 @@ This is how each line is understood:
   function ``f(x)`` is a vector, its components are ``f_1(x)``, ``f_2(x)``, and so on.
 - ``using label, label`` names the claims above on which a claim rests: what is an equation is put
   in, other comparisons become conditions.
+- ``let name: y := root of label, condition`` defines y as the only root of which a claim ``exactly
+  one x in (0, 1): …`` speaks.
 - In a chain ``a == b == c`` the claim is ``a == c``, in ``a == b >= c`` it is ``a >= c``, and each
   step is decided by itself. A step may name, in brackets behind it, the claims whose equations are
   put in, and no others: ``a == b [one] == c [two]``. Other words there are printed.
+- A step between integrals may name a rule there: ``[u = t**2]`` is a change of the variable t,
+  ``[cut at 1]`` divides the interval, ``[antiderivative log(t)]`` is put in at both ends, by ``[one
+  integral]`` a sum is one over one interval. What the rule requires is checked.
 - ``one: two and three`` claims again what others claim.
 - ``f == O(g) as x -> 0+`` is an order along a path, uniform in all other variables.
 - ``given x ~= 1.21`` is a printed input, and in ``label: e ~= 0.115`` the number is printed; it is
@@ -105,7 +110,14 @@ from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.integrals import with_bounds
 from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.evidence.sign_prover import undefined
-from tresym.ledger.reasons import citing
+from tresym.ledger.reasons import (
+    changing_variable,
+    citing,
+    collecting,
+    cutting,
+    integrating,
+    substituting,
+)
 from tresym.ledger.statements import (
     As,
     AtMostOne,
@@ -144,6 +156,7 @@ from tresym.reals.language.expression import (
     Expr,
     instantiate,
     opened,
+    replaced,
     substitute,
     symbol,
     symbols,
@@ -174,6 +187,9 @@ _SIGN = r"(?<![<>=!~:])(?:==|<=|>=|!=|<|>)(?![=<>])"
 _PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(\s+within\s+one\s+unit)?\s*")
 _IN_WORDS = re.compile(r"in\s+words,\s+from\s+(.*)", re.DOTALL)
 _BECAUSE = re.compile(r"(.*\S)\s+\[([^\[\]]*)\]\s*", re.DOTALL)
+_RULE = re.compile(r"(?:[^\W\d]\w*\s*=(?!=)|(cut\s+at|antiderivative)\b)\s*(.+)", re.DOTALL)
+_RULES = {None: changing_variable, "cut": cutting, "antiderivative": integrating}
+_ROOT = re.compile(r"root\s+of\s+([\w-]+)")
 _PLACE = re.compile(r"(\d+)|(?:(line|display)\s+(\d+))?(?:(?:^|,\s*)cell\s+(.+))?")
 
 
@@ -466,6 +482,7 @@ class _Reader(Reader):
         self._need_new_label(label)
         equations: list[Basic] = []
         given: list[Basic] = []
+        proof: Evidence = Definition()
         for part in map(str.strip, split(written, ",")):
             match = DEFINED.fullmatch(part)
             if match is None:
@@ -474,13 +491,29 @@ class _Reader(Reader):
             if match[2] is not None:
                 raise InputError(f"'{match[1]}' is a function: write it on a line of its own")
             name = OWN.get(match[1], match[1])
-            equations.append(self._relation((symbol(name), "==", self._tree(match[3]))))
+            if root := self._root(name, match[3]):
+                proof = root
+                equations += root.says
+            else:
+                equations.append(self._relation((symbol(name), "==", self._tree(match[3]))))
+        if isinstance(proof, Root) and len(equations) != len(proof.says):
+            raise InputError("a root is defined on a line of its own")
         if equations:
             says = equations[0] if len(equations) == 1 else Tuple(*equations)
-            fields = {"says": says, "given": tuple(given), "proof": Definition()}
+            fields = {"says": says, "given": tuple(given), "proof": proof}
             self._state(line, label, place, fields)
         else:
             self.named[label] = tuple(given)
+
+    def _root(self, name: str, text: str) -> Root | None:
+        """What defines a root as the only one of which a claim speaks."""
+        match = _ROOT.fullmatch(text)
+        if match is None:
+            return None
+        (unique,) = self._found(match[1])
+        if not isinstance(unique.statement, ExactlyOne):
+            raise InputError(f"{match[1]} does not say that there is exactly one root")
+        return Root(_in_sympy(symbol(name)), unique)
 
     def _claimed(
         self,
@@ -703,12 +736,17 @@ class _Reader(Reader):
         match = _BECAUSE.fullmatch(stage)
         if match is None:
             return stage, ()
-        labels = [word.strip() for word in match[2].split(",")]
-        named = [self.stated[label] for label in labels if label in self.stated]
+        words = [word.strip() for word in split(match[2], ",")]
+        named = [self.stated[word] for word in words if word in self.stated]
         uses += [claim for claim in named if claim not in uses]
-        if named:
-            return match[1], (Reason("substituting", claims=tuple(named)),)
-        return match[1], (Reason(match[2]),)
+        reasons = [substituting(*named)] if named else []
+        reasons += [collecting() for word in words if word == "one integral"]
+        reasons += [
+            _RULES[rule[1] and rule[1].split()[0]](_in_sympy(self._tree(rule[2])))
+            for rule in map(_RULE.fullmatch, words)
+            if rule is not None
+        ]
+        return match[1], tuple(reasons) or (Reason(match[2]),)
 
     def _equivalences(self, text: str, uses: list[Claim]) -> tuple[Chain, ...]:
         """The steps of a chain of equations, each of which is equivalent to the one before."""
@@ -790,8 +828,13 @@ class _Reader(Reader):
         own = {there: symbol(name) for name, there in OWN.items()}
         for written, made in self.converted:
             there = needs(map(ordered, _without_binders(tree(made))))
+            there = [
+                (e.args[0], "!=") if e.op == "abs" and sign != ">=" else (e, sign)
+                for e, sign in there
+            ]
             where = (*meant, *(Relation(part, sign, ZERO) for part, sign in there))
-            for e in map(ordered, _without_binders(substitute(written, own))):
+            parts = _without_binders(substitute(written, own), lambda e: tree(_in_sympy(e)))
+            for e in map(ordered, parts):
                 if all(part in there or not symbols(part[0]) for part in needs((e,))):
                     continue
                 gap = undefined(e, where)
@@ -803,15 +846,18 @@ class _Reader(Reader):
                 )
 
 
-def _without_binders(e: Expr) -> Iterator[Expr]:
-    """The expression with derivatives, integrals and values as symbols, and what stands in them."""
-    (plain_,) = generalised(e)
+def _without_binders(e: Expr, called: Callable[[Expr], Expr] = lambda e: e) -> Iterator[Expr]:
+    """The expression with derivatives, integrals and values as symbols, and what stands in them.
+
+    The symbols are named after what ``called`` returns.
+    """
+    (plain_,) = generalised(replaced(e, {node: called(node) for node in outermost(e)}))
     yield plain_
     for node in outermost(e):
         at_a_point = node.op in ("derivative", "at")
         body = instantiate(node.args[0], node.args[1:]) if at_a_point else opened(node)[1]
         for part in (body, *node.args[1:]):
-            yield from _without_binders(part)
+            yield from _without_binders(part, called)
 
 
 def _by_components(text: str, name: str, size: int) -> str:

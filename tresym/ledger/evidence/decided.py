@@ -48,7 +48,15 @@ from tresym.ledger.conversion import (
 from tresym.ledger.evidence.asymptotics import SIDES, ordered
 from tresym.ledger.evidence.box_bounds import decimal
 from tresym.ledger.evidence.chain import instantiated
-from tresym.ledger.evidence.integrals import need, with_bounds
+from tresym.ledger.evidence.integrals import (
+    RULES,
+    NotShownError,
+    holds_integral,
+    need,
+    need_integrals,
+    with_bounds,
+    without_integrals,
+)
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
 from tresym.ledger.evidence.whole_statements import bound_by, whole_claim
 from tresym.ledger.finding import WEAKEST_FIRST, Finding, Ruling, StepFinding
@@ -59,7 +67,7 @@ from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import stated
 from tresym.reals.decisions.cleared_factors import with_split_roots
 from tresym.reals.decisions.identity import decide_continuous
-from tresym.reals.language.binders import elementary, outermost, worked_out
+from tresym.reals.language.binders import generalised, outermost, worked_out
 from tresym.reals.language.claims import Written
 from tresym.reals.language.compound import comparisons_of, leaves
 from tresym.reals.language.expression import (
@@ -118,7 +126,8 @@ class Decided:
         also: further claims behind the symbols of the statement.
         steps: for each part of the statement, all of them equations, the chain that leads from its
             left to its right side. Each step is decided, with the equations put in that it names;
-            all of them if it names none.
+            all of them if it names none. A step may name rules for integrals, which replace
+            integrals first.
     """
 
     put: tuple[Claim, ...] = ()
@@ -241,6 +250,9 @@ def _by_steps(claim: Claim, proof: Decided, says: Basic, given: Conditions) -> F
                 continue
             here = part.func if link is chain[-1] else Eq
             for r in _relations(here(left, right, evaluate=False), rules, meant):
+                if any(reason.name in RULES for reason in link.reasons):
+                    sides = without_integrals(r.left, r.right, link.reasons, meant)
+                    r = Relation(sides[0], r.sign, sides[1])
                 answers.append(_decided(r, asked, meant, True))
             left = right
         need(left == last, "a chain must end at the right side of the equation")
@@ -272,16 +284,26 @@ def _decided(
         defined_there: whether normal forms may be compared.
     """
     left, right = relation.left, relation.right
-    if defined_there and relation.sign == "==" and _derivatives_exist((left, right), given):
+    if defined_there and relation.sign == "==" and _binders_exist((left, right), given):
         sides = worked_out(left), worked_out(right)
-        if elementary(*sides):
-            found = decide_continuous(*sides, known(given))
-            if found is not None and found.verdict is Verdict.PROVED:
-                return Answer(found.verdict, found.why, str(relation))
+        found = decide_continuous(*generalised(*sides), known(given))
+        if found.verdict is Verdict.PROVED:
+            return Answer(found.verdict, found.why, str(relation))
     if defined_there and relation.sign in ORDERINGS and is_manifest(relation, given):
         why = "the sign of the difference follows from those of its parts"
         return Answer(Verdict.PROVED, why, str(relation))
     return decide_claim(stated(((left, relation.sign, right),), asked))
+
+
+def _binders_exist(sides: tuple[Expr, ...], given: Conditions) -> bool:
+    """Return whether each integral and derivative is shown to exist."""
+    nodes = list(outermost(*sides))
+    integrals = [node for node in nodes if holds_integral(node)]
+    try:
+        need_integrals(integrals, given)
+    except NotShownError:
+        return False
+    return _derivatives_exist(tuple(node for node in nodes if node not in integrals), given)
 
 
 def _derivatives_exist(sides: tuple[Expr, ...], given: Conditions) -> bool:
@@ -338,6 +360,9 @@ def _witness(answer: Answer) -> dict[str, fmpq] | None:
 def _relations(says: Basic, rules: Rules, given: Conditions) -> Iterator[Relation]:
     """Yield the relations of a statement with the rules put in; both sides are shown to be defined.
 
+    It is enough that a side is as it is written: what is put in has the value of what it is put in
+    for.
+
     Raises:
         NotShownError: a part is no relation, or a side is not shown to be defined.
     """
@@ -346,8 +371,10 @@ def _relations(says: Basic, rules: Rules, given: Conditions) -> Iterator[Relatio
             need(isinstance(relation, Relation), f"{part} is not a relation between numbers")
             assert isinstance(relation, Relation)
             left, right = (put_in(side, rules) for side in (relation.left, relation.right))
-            for side in (left, right):
+            for side, written in ((left, relation.left), (right, relation.right)):
                 gap = undefined(worked_out(side), given)
+                if gap is not None and side != written:
+                    gap = undefined(worked_out(written), given)
                 need(gap is None, f"could not show that {gap} lies in the domain of its operation")
             yield Relation(left, relation.sign, right)
 

@@ -220,14 +220,14 @@ def need_integrals(trees: Iterable[Expr], given: Conditions) -> None:
     for node in outermost(*trees):
         if node.op == "integral":
             need_smooth(node, given)
-        elif node.op in ("at", "derivative") and _holds_integral(node):
+        elif node.op in ("at", "derivative") and holds_integral(node):
             need_value(node, given)
 
 
-def _holds_integral(e: Expr) -> bool:
+def holds_integral(e: Expr) -> bool:
     """Return whether ``e`` contains an integral."""
     return any(
-        node.op == "integral" or any(map(_holds_integral, node.args)) for node in outermost(e)
+        node.op == "integral" or any(map(holds_integral, node.args)) for node in outermost(e)
     )
 
 

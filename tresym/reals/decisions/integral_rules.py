@@ -2,8 +2,9 @@
 
 *Leibniz's rule*, for derivatives of integrals with variable ends and parameters: d/dp ∫ f dt
 from a to b is f(b) b′ − f(a) a′ + ∫ ∂f/∂p dt where f is analytic at all t from a to b and all p in
-question, which is shown, as are a and b. Functions left unknown are smooth. The claim is then
-decided with the value of the derivative put in, at all points of the conditions.
+question, which is shown, as are a and b; where a value of p is given, at that one, and so near it.
+Functions left unknown are smooth. The claim is then decided with the value of the derivative put
+in, at all points of the conditions.
 
 *Linearity, and intervals joined.* An integrand is a sum of terms c g, with c independent of the
 variable of integration. If each g is proved to be smooth on the interval, ∫ c g from a to b is
@@ -61,8 +62,12 @@ def decide_by_leibniz(claim: Comparison, statement: Statement, decided: Decide) 
         decided: the procedure for claims without derivatives of integrals.
     """
     given = statement.given
-    if statement.path is not None or statement.equations or statement.integers:
-        why = "derivatives of integrals are supported only under conditions that are inequalities"
+    at_points = _points(statement.equations)
+    if statement.path is not None or at_points is None or statement.integers:
+        why = (
+            "derivatives of integrals are supported only under conditions that are inequalities or "
+            "give variables values"
+        )
         return Answer(Verdict.UNDECIDED, why)
     if not (is_regular(given) and has_inside(given)):
         return Answer(
@@ -73,7 +78,8 @@ def decide_by_leibniz(claim: Comparison, statement: Statement, decided: Decide) 
             ),
         )
     try:
-        left, right = (_worked_out(side, given) for side in (claim.left, claim.right))
+        there = given & at_points
+        left, right = (_worked_out(side, there) for side in (claim.left, claim.right))
     except _OpenError as error:
         return Answer(Verdict.UNDECIDED, str(error))
     kept = tuple(d for d in claim.derivatives if not _integrals(d.function))
@@ -81,6 +87,18 @@ def decide_by_leibniz(claim: Comparison, statement: Statement, decided: Decide) 
     return replace(
         answer, why=f"by Leibniz's rule for differentiation under the integral sign; {answer.why}"
     )
+
+
+def _points(equations: tuple[tuple[Expr, Expr], ...]) -> Given | None:
+    """The conditions of equations that give variables values, as those near the values; or None."""
+    given: set[str] = set()
+    for x, value in equations:
+        if x.op != "symbol" or not elementary(value) or str(x) in given:
+            return None
+        given.add(str(x))
+    if any(symbols(value) & given for _, value in equations):
+        return None
+    return Given(tuple((x, sign, value) for x, value in equations for sign in (">=", "<=")))
 
 
 def _integrals(e: Expr) -> list[Expr]:
@@ -136,9 +154,12 @@ def _rule(node: Expr, name: str, given: Given) -> Expr:
     ends = (
         sign_ * substitute(f, {t: end}) * differentiate(end, name)
         for sign_, end in ((1, high), (-1, low))
+        if name in symbols(end)
     )
     inner = differentiate(f, name)
-    return add(*ends, ZERO if inner == ZERO else integral(inner, t, low, high))
+    if t not in symbols(inner):
+        return add(*ends, ZERO if inner == ZERO else inner * (high - low))
+    return add(*ends, integral(inner, t, low, high))
 
 
 def between(t: str, low: Expr, high: Expr, given: Given) -> list[Given]:

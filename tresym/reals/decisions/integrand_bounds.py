@@ -3,10 +3,11 @@
 ``integral(exp(-x**2), x, 0, a) <= a given a > 0`` holds, because the integrand is at most 1, the
 right side over the length of the interval. ``integral(exp(-x**3), x, 0, a) >= a - a**4/4 given a >
 0`` follows from the derivatives by the end: both sides are 0 at a = 0, and the derivative of the
-left side, the integrand, is nowhere smaller than that of the right side. Equations follow in the
-same way, so that no antiderivative is looked for where the other side is one. Integrand and
-expression are shown to be continuous on the closed interval. Several integrals over one interval
-count as that of their sum. What fails refutes nothing.
+left side, the integrand, is nowhere smaller than that of the right side. For a strict comparison
+the integrand need only be larger at an end, and so near it. Equations follow in the same way, so
+that no antiderivative is looked for where the other side is one. Integrand and expression are shown
+to be continuous on the closed interval. Several integrals over one interval count as that of their
+sum. What fails refutes nothing.
 """
 
 from __future__ import annotations
@@ -34,9 +35,11 @@ from tresym.reals.language.formula import MIRRORED
 from tresym.reals.signs.definedness import undefined
 from tresym.reals.signs.interior import jumps
 from tresym.reals.signs.sign import proof
+from tresym.reals.signs.sign import sign as sign_of
 from tresym.reals.verdict import Verdict
 
 Decide = Callable[[Comparison, Statement], Answer]
+_SIGNS = {"<": "-", ">": "+"}
 
 
 def decide_by_integrand(claim: Comparison, statement: Statement, decided: Decide) -> Answer | None:
@@ -85,7 +88,7 @@ def decide_by_integrand(claim: Comparison, statement: Statement, decided: Decide
     verdicts: list[Verdict] = []
     if not shown(low, "<", high, statement):
         return None
-    for ways in (_by_end,) if sign == "==" else (_by_mean, _by_end):
+    for ways in (_by_end,) if sign == "==" else (_near_an_end, _by_mean, _by_end):
         verdicts[1:] = []
         shown_last = ""
         for left, relation, right, is_inside in ways(f, t, low, high, sign, other, closed):
@@ -107,6 +110,19 @@ def _by_mean(
 ) -> Iterator[Asked]:
     """The integrand is compared with the other side over the length of the interval."""
     yield f, sign, other / (high - low), True
+
+
+def _near_an_end(
+    f: Expr, t: str, low: Expr, high: Expr, sign: str, other: Expr, closed: Given
+) -> Iterator[Asked]:
+    """The integrand is nowhere on the wrong side of the mean, and off it at an end and so near."""
+    mean = other / (high - low)
+    for end in (low, high) if len(sign) == 1 else ():
+        there = worked_out(substitute(f, {t: end}))
+        if elementary(there) and sign_of(there - mean, closed, dear=False) == _SIGNS[sign]:
+            yield there, sign, mean, False
+            yield f, sign + "=", mean, True
+            return
 
 
 def _by_end(

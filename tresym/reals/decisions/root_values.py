@@ -212,11 +212,10 @@ def by_leibniz(e: Expr) -> Expr:
             (t,), f = opened(body, (name,))
             low, high = body.args[1:]
             first, last = (substitute(f, {t: end}) for end in (low, high))
-            known[node] = (
-                last * differentiate(high, name)
-                - first * differentiate(low, name)
-                + integral(differentiate(f, name), t, low, high)
-            )
+            slope = differentiate(f, name)
+            inner = integral(slope, t, low, high) if t in symbols(slope) else slope * (high - low)
+            ends = last * differentiate(high, name) - first * differentiate(low, name)
+            known[node] = ends + inner
     return replaced(e, known)
 
 
