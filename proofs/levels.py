@@ -20,11 +20,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from tresym.proofs import euler_angles, flip_dynamics, turn_integral
+from tresym.proofs import euler_angles, flip_dynamics, rigid_bodies, turn_integral
 from tresym.proofs.conditions import shape
 from tresym.proofs.numbers_in_text import lower_level, upper_level_exact
 from tresym.proofs.printed import moments, number
-from tresym.proofs.rigid_bodies import realizable
 from tresym.proofs.turning import (
     beyond_right_angle,
     body_stays_below,
@@ -148,7 +147,7 @@ decrease_of_bodies = Claim(
         phase_rises_in_gamma,
         phase_at_bottom,
         body_stays_below,
-        realizable,
+        rigid_bodies.realizable,
         others_do_not,
         beyond_right_angle,
         near_right_angle,

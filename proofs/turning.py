@@ -200,13 +200,13 @@ unfolded_decrease = Claim(
 
 # -- once it has turned ---------------------------------------------------------------------------
 
-_total = Derivative(_end.flip, gamma) + Derivative(_end.flip, chi) * chi_rate
+slope_of_defect = Derivative(_end.flip, gamma) + Derivative(_end.flip, chi) * chi_rate
 """dε/dγ, as ε = ψ(χ(γ), γ)."""
 turned = (*oscillating, chi >= pi / 2, chi < pi, sin(chi) > 0, cos(chi) <= 0, chi > 0)
 """The motion has turned once, and is not yet back at ψ = π/2."""
 
 turned_decrease = Claim(
-    says=_total < 0, given=turned, proof=by(differentiation, citing(unfolded_decrease))
+    says=slope_of_defect < 0, given=turned, proof=by(differentiation, citing(unfolded_decrease))
 )
 
 beyond_right_angle = Claim(
@@ -217,7 +217,8 @@ _steep = 1 / (2 * sqrt(-gamma) * sqrt(b + gamma))
 
 slope_at_turns = Claim(
     says=Tuple(
-        equal(at(_total, {chi: pi / 2}), -_steep), equal(at(_total, {chi: 3 * pi / 2}), _steep)
+        equal(at(slope_of_defect, {chi: pi / 2}), -_steep),
+        equal(at(slope_of_defect, {chi: 3 * pi / 2}), _steep),
     ),
     given=oscillating,
     proof=by(differentiation, trigonometry, roots),

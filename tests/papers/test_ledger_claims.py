@@ -153,6 +153,8 @@ REFUSED = {
     "one [line 3, row 2]: x > 0": "is not a place",
     "one: x > 0 with y == 1": "'with' gives values",
     "one: x > 0\ntwo: y > 0 using one with x**2 == y": "write with x ==",
+    "one: x > 0 by residual 1 > 0": "shows a bound on a root",
+    "one: x > 0\ntwo: y > 0 using one shown by derivative one from one": "the claims behind it",
     "one: x > 0 by slope 1 > 0": "shows that a root is increasing",
     "one: x > 0 dominated by other": "no claim above this line",
     "one: x > 0\ntwo: y > 0 using one with x == y expect refuted": "of a claim that holds",
@@ -376,6 +378,23 @@ no_slope: increasing(z, x) given range using cubic by slope -2 < 0
 at_root: increasing(z, x) given range
   using cubic by slope -1 == cos(z**3 + z) - cos(x) - 1 [cubic] < 0
 bounded: abs(sin(a*b)/x**2) <= 1/x**2 given x > 0
+below_one: z < 1 given range, x < 2 using cubic by residual 2 - x > 0
+below_half: z < 1/2 given range, x < 2 using cubic by residual 5/8 - x > 0
+other_value: z < 1 given range, x < 2 using cubic by residual 3 - x > 0
+at_two: z > 9/10 given x == 2 using cubic by residual (9/10)**3 + 9/10 - 2 < 0
+beyond: z > 9/10 given range, x > 2 shown by rises from x == 2 in at_two
+before: z > 9/10 given range, x < 2 shown by rises from x == 2 in at_two
+double: increasing(2*z, x) given range shown by monotony of rises
+turned: increasing(-2*z, x) given range shown by monotony of rises
+steep: diff(x + x**3, x) > 0 given x >= 0, x <= 5
+start: at(x + x**3, x, 0) == 0
+right: x + x**3 > 0 given x > 0, x <= 5 shown by derivative steep from start
+left: x + x**3 > 0 given x > -1, x <= 5 shown by derivative steep from start
+above: 1/a > 0 given a > 0
+near: 1/a < 2/a given a > 0
+least: infimum(1/a) == 0 given a > 0 shown by above approached by near along a == 1/t
+bounded_a: infimum(1/a) == 0 given a > 0, a < 5 shown by above approached by near along a == 1/t
+too_low: infimum(1/a) == -1 given a > 0 shown by above approached by near along a == 1/t
 tends: sin(a*b)/x**2 == O(1/x**2) as x -> oo given x > 0 dominated by bounded
 smaller: sin(a*b)/x**2 == O(1/x**3) as x -> oo given x > 0 dominated by bounded
 large: z > 1 given range using cubic expect refuted
@@ -383,7 +402,17 @@ not_large: z < 5/4 given range using cubic expect refuted
 """,
     )
     assert (found.pop("large"), found.pop("not_large")) == ("REFUTED", "UNDECIDED")
-    false = {"anywhere", "other", "replaced", "falls", "no_slope", "smaller"}
+    false = {
+        "anywhere",
+        "other",
+        "replaced",
+        "falls",
+        "no_slope",
+        "smaller",
+        "bounded_a",
+        "too_low",
+    }
+    false |= {"below_half", "other_value", "before", "turned", "left"}
     assert {label for label in found if found[label] in ("PROVED", "ENCLOSED", "DEFINED")} == {
         *found
     } - false

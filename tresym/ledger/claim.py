@@ -331,18 +331,19 @@ class RootBound:
     """
 
     root: Claim
-    sign: Chain
-    """A chain for h(v) < 0 or h(v) > 0, whichever is needed."""
+    sign: Any
+    """A chain for h(v) < 0 or h(v) > 0, whichever is needed. Or evidence that the engine decides
+    it."""
 
     @property
     def chains(self) -> tuple[Chain, ...]:
         """The chains of the evidence."""
-        return (self.sign,)
+        return (self.sign,) if isinstance(self.sign, tuple) else self.sign.chains
 
     @property
     def claims(self) -> tuple[Claim, ...]:
-        """The definition of the root."""
-        return (self.root,)
+        """What the engine uses, and the definition of the root."""
+        return (*getattr(self.sign, "claims", ()), self.root)
 
 
 @dataclass(frozen=True)
@@ -398,11 +399,13 @@ class FromTheEdge:
         monotone: the claim that e is strictly monotone in x.
         bound: the claim with the bound.
         at: the value of x at which ``bound`` is used, an expression without x.
+        of: the variable x; None for any in which ``monotone`` says that e is monotone.
     """
 
     monotone: Claim
     bound: Claim
     at: Expr
+    of: Symbol | None = None
 
     @property
     def claims(self) -> tuple[Claim, ...]:

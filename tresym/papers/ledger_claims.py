@@ -42,6 +42,7 @@ This is how each line is understood:
 - ``label: in words, from one, two`` stands above a sentence (``> says:``) that says more than the
   claims do on which it rests; it counts as not formal.
 - ``shown by`` names a method where the engine needs a hint (:mod:`tresym.papers.ways_to_show`).
+- ``infimum(e) == v`` says that e > v, and e < v + d somewhere for every d > 0.
 - ``root(f, x, 0, 1)`` is the root whose uniqueness an earlier claim ``at most one x in (0, 1): …``
   shows.
 - ``expect refuted at x == 1, y == 2 instead other`` states a falsehood, a point at which it fails,
@@ -52,6 +53,8 @@ This is how each line is understood:
   these values of its variables; the others serve to show its conditions there.
 - ``using root by slope u == v [one] > 0`` behind ``increasing(y, x)`` or ``decreasing(y, x)`` gives
   the steps from the derivative by x of the equation whose only root is y to its sign.
+- ``y > v … using root by residual u == w < 0`` gives the steps from h(v) to its sign, where y is
+  the only root of h that ``root`` defines; so y lies above v or below it.
 - ``f == O(g) as x -> oo … dominated by one, two`` names a bound of |f| by a multiple of a function
   of what tends to its limit, or bounds of f from above and from below.
 - The lines of prose directly below a claim are its note. Those beginning with ``> says:``,
@@ -97,6 +100,7 @@ from tresym.ledger.claim import (
     Printed,
     Reason,
     Root,
+    RootBound,
     RootMonotone,
     Step,
     in_words,
@@ -124,6 +128,7 @@ from tresym.ledger.statements import (
     Conserved,
     ExactlyOne,
     ForSome,
+    Infimum,
     Rounds,
     StableEquilibrium,
     StrictlyDecreasing,
@@ -177,7 +182,7 @@ _COUNTS = {"exactly one": ExactlyOne, "at most one": AtMostOne}
 _EQUILIBRIA = {"stable": StableEquilibrium, "unstable": UnstableEquilibrium}
 _SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
 _CLAUSES = ("given", "using", "expect", "at", "instead", "as")
-_HINTS = ("with", "by slope", "dominated by", "shown by")
+_HINTS = ("with", "by slope", "by residual", "dominated by", "shown by")
 """Clauses that name the method by which a claim is shown."""
 _REMARK = re.compile(
     r"(says|prints|constant|rests on|paper|shown|kind|fault|assumed|quotes)\s*:\s*(.*)",
@@ -185,6 +190,7 @@ _REMARK = re.compile(
 )
 _SIGN = r"(?<![<>=!~:])(?:==|<=|>=|!=|<|>)(?![=<>])"
 _PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(\s+within\s+one\s+unit)?\s*")
+_INFIMUM = re.compile(r"infimum\((.+)\)\s*==\s*([^=]+)")
 _IN_WORDS = re.compile(r"in\s+words,\s+from\s+(.*)", re.DOTALL)
 _BECAUSE = re.compile(r"(.*\S)\s+\[([^\[\]]*)\]\s*", re.DOTALL)
 _RULE = re.compile(r"(?:[^\W\d]\w*\s*=(?!=)|(cut\s+at|antiderivative)\b)\s*(.+)", re.DOTALL)
@@ -367,12 +373,12 @@ class _Reader(Reader):
         """The statement with each root as the claim writes it that there is at most one."""
         written = says.atoms(TheRoot)
         known = {
-            tree(made): made
+            ordered(tree(made)): made
             for claim in (self.stated.values() if written else ())
             if isinstance(claim.statement, ExactlyOne | AtMostOne)
             for made in (TheRoot(*claim.statement.args),)
         }
-        return says.xreplace({each: known.get(tree(each), each) for each in written})
+        return says.xreplace({each: known.get(ordered(tree(each)), each) for each in written})
 
     def _finish(self) -> None:
         """Make a claim of what was read last."""
@@ -595,6 +601,8 @@ class _Reader(Reader):
         text = clauses[named[0]]
         if named[0] == "with":
             return self._instance(text, uses)
+        if named[0] == "by residual":
+            return self._by_residual(text, stated[0], uses)
         if named[0] == "shown by":
             proof = _evidence(uses, stated, (), {})
             line = Line(
@@ -627,19 +635,29 @@ class _Reader(Reader):
         root = next((claim for claim in uses if isinstance(claim.proof, Root)), None)
         if root is None or not all(isinstance(p, tuple(_SHAPES.values())) for p in parts_of(says)):
             raise InputError("'by slope' shows that a root is increasing or decreasing; use it")
-        found = []
-        for part in split(text, r"\band\b"):
-            stages = [stage.strip() for stage in split(part, _SIGN)]
-            signs = [part[a:b] for a, b in places(part, _SIGN)]
-            if signs[-1:] not in ([">"], ["<"]) or {*signs[:-1]} - {"=="} or stages[-1] != "0":
-                raise InputError(f"'{part}': write by slope u == v > 0")
-            chain = []
-            for stage in stages[:-1]:
-                shown, why = self._because(stage, uses)
-                chain.append(Step(_in_sympy(self._tree(shown)), why))
-            slope = _evidence(uses, (says,), ((*chain, Step(None, ())),), {})
-            found.append(RootMonotone(root, slope))
+        slopes = [self._signed(part, says, uses) for part in split(text, r"\band\b")]
+        found = [RootMonotone(root, slope) for slope in slopes]
         return found[0] if len(found) == 1 else Follows(tuple(found))
+
+    def _by_residual(self, text: str, says: Basic, uses: list[Claim]) -> Evidence:
+        """A bound on a root by the sign of the function there, to which steps lead."""
+        root = next((claim for claim in uses if isinstance(claim.proof, Root)), None)
+        if root is None:
+            raise InputError("'by residual' shows a bound on a root: use its definition")
+        others = [claim for claim in uses if claim is not root]
+        return RootBound(root, self._signed(text, says, others))
+
+    def _signed(self, text: str, says: Basic, uses: list[Claim]) -> Evidence:
+        """The steps ``u == v > 0`` from an expression to its sign."""
+        stages = [stage.strip() for stage in split(text, _SIGN)]
+        signs = [text[a:b] for a, b in places(text, _SIGN)]
+        if signs[-1:] not in ([">"], ["<"]) or {*signs[:-1]} - {"=="} or stages[-1] != "0":
+            raise InputError(f"'{text}': write u == v > 0")
+        chain = []
+        for stage in stages[:-1]:
+            shown, why = self._because(stage, uses)
+            chain.append(Step(_in_sympy(self._tree(shown)), why))
+        return _evidence(uses, (says,), ((*chain, Step(None, ())),), {})
 
     def _given(self, text: str) -> list[Basic]:
         """The conditions of a text: those with a name, printed inputs and comparisons."""
@@ -668,6 +686,8 @@ class _Reader(Reader):
         """The statement of a text; the chain ``a == b >= c`` states that a >= c."""
         if match := _PRINTED.fullmatch(text):
             return Rounds(_in_sympy(self._tree(match[1])), match[2], 2 if match[3] else 1)
+        if match := _INFIMUM.fullmatch(text):
+            return Infimum(*(_in_sympy(self._tree(side)) for side in match.groups()))
         if encloses(text) and (parts := split(text[1:-1], r"\bgiven\b"))[1:]:
             return Under(self._says(parts[0].strip()), Tuple(*self._given(parts[1])))
         whole = read_compound(self._called(text))

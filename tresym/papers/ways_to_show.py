@@ -20,19 +20,36 @@ A hint names a method, and never a result: each of them is judged as any evidenc
   the integral.
 - ``LABEL solved for y(c), c == x``: LABEL is an equation for y in which c may vary; the claim
   defines a new symbol as dy/dc at c = x (implicit function theorem).
+- ``derivative LABEL from START``: f > 0 where x > p, as LABEL says that the derivative of f by x is
+  positive, and START that f is 0 or positive at x = p.
+- ``LABEL from x == p in BOUND``: a bound on e holds for all x on one side of p, as BOUND says that
+  it holds at x = p, and LABEL that e is increasing or decreasing in x.
+- ``monotony of LABEL``: f(y) is increasing or decreasing in x, as LABEL says that y is, and
+  the derivative of f has one sign.
+- ``BOUND approached by ABOVE along x == 1/t``: v is the infimum of e, as BOUND says that e > v, and
+  ABOVE that e < v + r, where r tends to 0 as t tends to 0 from above.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from sympy import Basic, Symbol
 from sympy import Expr as Expression
 
 from tresym.ledger.certificates import certificate
-from tresym.ledger.claim import Claim, Evidence, ImplicitFunction, by
+from tresym.ledger.claim import (
+    Claim,
+    Evidence,
+    FromSlope,
+    FromTheEdge,
+    ImplicitFunction,
+    InfimumBy,
+    MonotoneOf,
+    by,
+)
 from tresym.ledger.evidence.chart_bounds import Charts
 from tresym.ledger.evidence.decided import Decided, InVariables
 from tresym.ledger.evidence.interval_evaluation import Evaluated
@@ -45,6 +62,10 @@ _CHARTS = re.compile(r"charts\s+(\w+)")
 _VARIABLES = re.compile(r"variables\s+(.+)", re.DOTALL)
 _ANTIDERIVATIVE = re.compile(r"antiderivative\s+(.+)", re.DOTALL)
 _IS = re.compile(r"(\w+)\s*==\s*(.+)", re.DOTALL)
+_SLOPE = re.compile(r"derivative\s+([\w-]+)\s+from\s+([\w-]+)")
+_EDGE = re.compile(r"([\w-]+)\s+from\s+(\w+)\s*==\s*(.+?)\s+in\s+([\w-]+)")
+_COMPOSED = re.compile(r"monotony\s+of\s+([\w-]+)")
+_APPROACHED = re.compile(r"([\w-]+)\s+approached\s+by\s+([\w-]+)\s+along\s+(.+)")
 _SOLVED = re.compile(r"([\w-]+)\s+solved\s+for\s+(\w+)\s*\(\s*(\w+)\s*\)\s*,\s*(\w+)\s*==\s*(.+)")
 
 
@@ -84,6 +105,15 @@ class Line:
         return found
 
 
+def _values(text: str, line: Line) -> Iterator[tuple[Symbol, Expression]]:
+    """Yield the values of ``x == 1, y == 1/t``."""
+    for part in map(str.strip, split(text, ",")):
+        match = _IS.fullmatch(part)
+        if match is None:
+            raise InputError(f"'{part}': write along x == 1, y == 1/t")
+        yield line.symbol(match[1]), line.expression(match[2])
+
+
 def way_to_show(text: str, line: Line) -> Evidence:
     """Return the evidence that the words after ``shown by`` describe.
 
@@ -101,9 +131,19 @@ def way_to_show(text: str, line: Line) -> Evidence:
             raise InputError("an antiderivative is differentiated, and no claim is used")
         theories = (algebra, exponentials, inverses, roots, trigonometry)
         return by(integrating(line.expression(match[1])), *theories)
+    if match := _COMPOSED.fullmatch(text):
+        return MonotoneOf(line.claim(match[1]), line.uses)
+    if match := _APPROACHED.fullmatch(text):
+        along = tuple(_values(match[3], line))
+        return InfimumBy(line.claim(match[1]), line.claim(match[2]), along, line.uses)
+    if line.uses:
+        raise InputError(f"'{text}' names the claims behind it, so that nothing stands after using")
+    if match := _SLOPE.fullmatch(text):
+        return FromSlope(line.claim(match[1]), line.claim(match[2]))
+    if match := _EDGE.fullmatch(text):
+        x, at = line.symbol(match[2]), line.expression(match[3])
+        return FromTheEdge(line.claim(match[1]), line.claim(match[4]), at, x)
     if match := _SOLVED.fullmatch(text):
-        if line.uses:
-            raise InputError("an implicit function uses its equation, and no other claim")
         if match[3] != match[4]:
             raise InputError(f"'{text}': the parameter {match[3]} needs a value, {match[3]} == x")
         unknown, parameter = map(line.symbol, (match[2], match[3]))

@@ -48,6 +48,7 @@ from tresym.ledger.claim import (
     FromTheEdge,
     InfimumBy,
     MonotoneOf,
+    Reason,
     Root,
     RootBound,
     RootMonotone,
@@ -275,7 +276,7 @@ def judge_root_bound(claim: Claim, proof: RootBound) -> Finding:
         f"the bound must not depend on {zero.symbol}",
     )
     try:
-        shown = _bound(zero, substitute(tree(bound), zero.values), relation, proof.sign)
+        shown = _bound(claim, zero, substitute(tree(bound), zero.values), relation, proof.sign)
     except NotShownError:
         refuted = _refuted(says, claim)
         if refuted is None:
@@ -288,15 +289,20 @@ def _behind(e: Basic, behind: Mapping[str, frozenset[str]]) -> frozenset[str]:
     return frozenset().union(*(behind.get(str(s), frozenset()) for s in e.free_symbols))
 
 
-def _bound(zero: _Zero, bound: Expr, relation: str, chain: Chain) -> Finding:
+def _bound(
+    claim: Claim, zero: _Zero, bound: Expr, relation: str, shown_by: Chain | Decided
+) -> Finding:
     """Show that the root is related to the bound, by the sign of the function there."""
-    cite = tuple(r for step in chain for r in step.reasons if r.name == "citing")
+    if isinstance(shown_by, Decided):
+        cite: tuple[Reason, ...] = (citing(*shown_by.cited),)
+    else:
+        cite = tuple(r for step in shown_by for r in step.reasons if r.name == "citing")
     near = with_bounds(zero.given, cite)
     for wanted in (Relation(bound, ">=", zero.low), Relation(bound, "<=", zero.high)):
         need(is_manifest(wanted, near), f"could not show that {wanted}, between the ends")
     # The root lies above v if h(v) has the sign that h has at the lower end: − if h increases.
     sign = relation if zero.rises < 0 else FLIPPED[relation]
-    steps = check_chain(Relation(zero.at(zero.h, bound), sign, ZERO), chain, zero.given)
+    steps = _steps_to_sign(claim, zero.at(zero.h, bound), sign, shown_by, zero)
     need_all(steps)
     why = f"the function whose zero is {zero.symbol} is {sign} 0 at the bound"
     return Finding(PROVED, why, steps=steps)
@@ -336,7 +342,7 @@ def judge_root_monotone(claim: Claim, proof: RootMonotone) -> Finding:
     start = zero.at(differentiate(zero.h, x.name), tree(zero.symbol))
     wanted = "<" if zero.rises * RISES[type(says)] > 0 else ">"
     try:
-        steps = _slope_steps(claim, start, wanted, proof, zero)
+        steps = _steps_to_sign(claim, start, wanted, proof.slope, zero)
         need_all(steps)
     except NotShownError:
         found = _not_monotone(claim)
@@ -347,15 +353,17 @@ def judge_root_monotone(claim: Claim, proof: RootMonotone) -> Finding:
     return Finding(PROVED, why, steps=steps)
 
 
-def _slope_steps(
-    claim: Claim, start: Expr, wanted: str, proof: RootMonotone, zero: _Zero
+def _steps_to_sign(
+    claim: Claim, start: Expr, wanted: str, shown_by: Chain | Decided, zero: _Zero
 ) -> tuple[StepFinding, ...]:
-    """Return the findings on the steps from the derivative of the function to its sign."""
-    if not isinstance(proof.slope, Decided):
-        return check_chain(Relation(start, wanted, ZERO), proof.slope, zero.given)
-    sign = Gt if wanted == ">" else Lt
+    """Return the findings on the steps from an expression to its sign."""
+    if not isinstance(shown_by, Decided):
+        return check_chain(Relation(start, wanted, ZERO), shown_by, zero.given)
+    sign = {">": Gt, ">=": Ge, "<": Lt, "<=": Le}[wanted]
     says = sign(to_sympy(start), 0, evaluate=False)
-    found = judge_decided(replace(claim, says=says, proof=proof.slope), proof.slope)
+    plain = tuple(_values(claim)[1])  # the values that equations give are put in
+    asked = replace(claim, says=says, means=None, given=plain, proof=shown_by)
+    found = judge_decided(asked, shown_by)
     need(found.verdict is PROVED, f"could not show that {start} {wanted} 0: {found.why}")
     return found.steps or (StepFinding(PROVED, found.why),)
 
@@ -457,7 +465,7 @@ def judge_from_the_edge(claim: Claim, proof: FromTheEdge) -> Finding:
     monotone = [
         (part, asked)
         for part, asked in _parts_of(proof.monotone)
-        if type(part) in RISES and part.args[0] == says.lhs
+        if type(part) in RISES and part.args[0] == says.lhs and proof.of in (None, part.args[1])
     ]
     edge = tree(proof.at)
     shown: str | None = f"{proof.monotone.label} is not about {says.lhs}"
