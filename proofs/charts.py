@@ -21,8 +21,11 @@ from typing import Any
 from tresym.proofs.conditions import shape
 
 from tresym.ledger.evidence.chart_bounds import Charts, Stated
+from tresym.ledger.evidence.remainders import Remainder
 from tresym.ledger.vocabulary import *
 from tresym.racket.bounds import charts
+from tresym.racket.bounds.bending import curvature
+from tresym.racket.bounds.samples import in_bent_chart
 from tresym.racket.comparison.constants import CONSTANTS
 from tresym.racket.notation import *
 from tresym.reals.numbers.exact import as_rational
@@ -355,6 +358,105 @@ def _everywhere(claims: Stated) -> Charted:
 
 
 all_shapes_charts = Charts(_everywhere)
+
+# -- what the paper leaves out by its orders
+
+
+def _log_ratio(b: Any, kappa: Any, m: Any) -> Any:
+    """log(ε₀/ε*)/ε*² = −u/(λε*²), u = −λ log(ε₀/ε*)."""
+    root = charts.root_by_kappa(b, kappa, m)
+    rate = charts.exponent_rate(*root, m)
+    return rate * m.exp(2 * root.defect * root.defect * rate)
+
+
+def quadratic_u(b: Any, kappa: Any, m: Any) -> Any:
+    """u/λ² in the chart (b, κ), up to its sign."""
+    return kappa * charts.leading_square_over(b, kappa, m) * _log_ratio(b, kappa, m)
+
+
+def _turn_slope_rest(b: Any, kappa: Any, m: Any) -> Any:
+    """κ · 4b√(ab) · −(∂F/∂γ + 1/(4b√(ab) ε₀²)) at γ = 0; κT is the phase P."""
+    e, _, r = charts.root_by_kappa(b, kappa, m)
+    sinc, half = charts.sine_over(e), charts.sine_over(e / 2)
+    root = m.sqrt(1 + r * r * e * e * sinc * sinc)
+    # (c√(1 + Rs²)/s² − 1/e²): the differences c − 1, √ − 1 and e²/s² − 1, each over e².
+    cosine, stretched = -half * half / 2, r * r * sinc * sinc / (1 + root)
+    algebraic = (m.cos(e) * stretched + cosine - charts.sine_rest(e) * (1 + sinc)) / (sinc * sinc)
+    return kappa * algebraic + (1 - r * r - 2 * b) * charts.phase_by_kappa(b, kappa)
+
+
+def turn_slope_times_defect(b: Any, kappa: Any, m: Any) -> Any:
+    """The remainder of ∂F/∂γ over 1/(4b√(ab) ε₀), up to its sign."""
+    return charts.defect_over_kappa(b, kappa, m) * _turn_slope_rest(b, kappa, m)
+
+
+def slope_times_defect(b: Any, kappa: Any, m: Any) -> Any:
+    """The remainder of dε/dγ over 1/b, up to its sign."""
+    return charts.defect_over_kappa(b, kappa, m) * charts.slope_rest(b, kappa, m) / 4
+
+
+def _decay_rate(b: Any, kappa: Any, m: Any) -> Any:
+    """ε₀ e^{π√(ab)} = 2 cos θ e^{−b arctan(r)/r} ε₀/ε*."""
+    root = charts.root_by_kappa(b, kappa, m)
+    exponent = root.defect * root.defect * charts.exponent_rate(*root, m)
+    cosine = 1 / m.sqrt(1 + root.r * root.r)
+    return 2 * cosine * m.exp(exponent - b * charts.arctangent_over(root.r))
+
+
+_LARGE_B = box(("3/4", 1), (0, 2))
+
+u_chart = _below(_log_ratio, "1.44", lam * epsilon_star**2)
+flat_u_chart = _below(quadratic_u, "0.009", lam**2)
+turn_slope_chart = _below(turn_slope_times_defect, "0.96", 1 / (4 * b * _k * epsilon0))
+defect_slope_chart = _below(slope_times_defect, "0.18", 1 / b)
+exact_turn_slope_chart = _charts(
+    On(
+        BY_KAPPA,
+        _LARGE_B,
+        _between(lambda b, k, m: -_turn_slope_rest(b, k, m), "3/2", "18", 1 / (4 * b)),
+    )
+)
+exact_defect_slope_chart = _charts(
+    On(
+        BY_KAPPA,
+        _LARGE_B,
+        _between(
+            lambda b, k, m: -charts.slope_rest(b, k, m), "3/2", "12.6", _k * epsilon0 / (4 * b)
+        ),
+    )
+)
+decay_chart = _charts(On(BY_KAPPA, KAPPA, _between(_decay_rate, "0.52", "2.01", Integer(1))))
+
+BENT = ((0, 1), (0, 2), (-1, 1))
+"""The chart (b, κ, v) of ab ≥ 1/4, γ = bε₀²v."""
+
+
+def bending(constant: str) -> Bound:
+    """ε is below (for a negative constant: above) its tangent + constant · √(ab) γ²/(b²ε₀)."""
+    limit = as_rational(constant)
+
+    def margin(b: Any, kappa: Any, v: Any, m: Any) -> Any:
+        found = curvature(b, kappa, v, arb(limit), m)
+        return -found if limit > 0 else found
+
+    return Bound(margin, box(*BENT), sufficient=True)
+
+
+def _bent(claims: Stated) -> Boxes:
+    return Boxes(
+        (bending("2"), bending("-2")),
+        ("b", "kappa", "v"),
+        "ab >= 1/4, 0 < b <= 1, |gamma| <= b epsilon0^2",
+        meant=Meant(
+            in_bent_chart(),
+            _k * gamma**2 / (b**2 * epsilon0),
+            (b, 1 / _k, gamma / (b * epsilon0**2)),
+            Remainder(gamma, (a, b, epsilon0)),
+        ),
+    )
+
+
+bent_chart = Charts(_bent)
 
 # -- one formula for every body
 

@@ -17,13 +17,13 @@ from tresym.proofs import (
     euler_angles,
     flip_dynamics,
     monotonicity,
+    orders,
     phase_portraits,
     regimes,
     turn_integral,
 )
 from tresym.proofs.conditions import STANDARD, defect, shape, shape_of_a_body, standard_racket
 from tresym.proofs.model import angular_velocity
-from tresym.proofs.orders import remark1
 from tresym.proofs.printed import inputs, moments, number, share_of_pi
 from tresym.proofs.separatrix import defect_is_one, flip_defect, leading_defect, one_flip_defect
 from tresym.proofs.turning import chi, edge, longest_turn, one_turned_level, phase, raised
@@ -507,14 +507,14 @@ nearly_hyperbolic = Claim(
             step(
                 log(epsilon0 * exp(pi * sqrt(a * b)) * 25 / 13) / pi,
                 exponentials,
-                citing(remark1, flip_defect),
+                citing(orders.remark1, flip_defect),
             ),
         ),
         (
             step(
                 -log(epsilon0 * exp(pi * sqrt(a * b)) * 100 / 201) / pi,
                 exponentials,
-                citing(remark1, flip_defect),
+                citing(orders.remark1, flip_defect),
             ),
         ),
         manifest,

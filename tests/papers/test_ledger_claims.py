@@ -494,7 +494,7 @@ def test_stored_charts_other_variables_and_antiderivatives(tmp_path: Path) -> No
     part = read(
         tmp_path,
         """use growth from margins
-r real
+r, s real
 grows: exp(x) - 1 > 9/10*x given x > 0, x <= 2 shown by charts growth
 > constant: 9/10 of x
 faster: exp(x) - 1 > 91/100*x given x > 0, x <= 2 shown by charts growth
@@ -513,9 +513,18 @@ steep_area: integral(2*t*cos(t**2), t, 0, x) == sin(x**2)/2 given x > 0
   shown by antiderivative sin(t**2)
 order: sin(x) == O(x**2) as x -> 0+ expect refuted
 > prints: sin(x) == O(x**2)
+cubic: abs(sin(x) - x) <= x**3 given x > 0, x <= 1
+> prints: s == x + O(x**3) as x -> 0, with a fixed, where s == sin(x)
+square: abs(sin(x) - x) <= x**2 given x > 0, x <= 1
+> prints: sin(x) == x + O(x**3) as x -> 0
+twice_x: abs(sin(x) - x) <= x**3 given x > 0, x <= 1
+> prints: sin(x) == 2*x + O(x**3) as x -> 0
+varying: abs(sin(x) - x) <= a*x**3 given x > 0, x <= 1, a >= 1
+> prints: sin(x) == x + O(x**3) as x -> 0
 """,
     )
-    true = {"grows": "ENCLOSED", "ratio": "PROVED", "area": "PROVED", "order": "REFUTED"}
+    true = dict.fromkeys(("ratio", "area", "cubic"), "PROVED")
+    true |= {"grows": "ENCLOSED", "order": "REFUTED"}
     found = verdicts(part)
     assert {label: found[label] for label in true} == true
     assert {found[label] for label in {*found} - {*true}} <= {"REFUTED", "UNDECIDED"}
@@ -534,6 +543,7 @@ order: sin(x) == O(x**2) as x -> 0+ expect refuted
         "area: integral(2*t, t, 0, x) == x**2 == x*x shown by antiderivative t**2",
         "one: x >= x\ntwo: integral(t, t, 0, x) == x**2/2 using one\n shown by antiderivative t",
         "one: x**2 >= 0\n> rests on: two",
+        "one: x**2 >= 0\n> says: Squares.\n> prints: x**2 >= 0",
     ],
 )
 def test_hints_with_nothing_behind_them_are_refused(text: str, tmp_path: Path) -> None:

@@ -210,9 +210,9 @@ WRONG = [
     (within_numbers(from_four(charts.sweep_error), "0.006"), CHART),
     (within_numbers(from_pi(charts.newton_error), "7e-5"), CHART),
     (within_numbers(from_four(charts.newton_error), "2.5e-6"), CHART),
-    (within_numbers(orders._quadratic_u, "0.0086"), SIDES),
-    (within_numbers(orders._turn_slope_times_defect, "0.95"), SIDES),
-    (within_numbers(orders._slope_times_defect, "0.17"), SIDES),
+    (within_numbers(stored_charts.quadratic_u, "0.0086"), SIDES),
+    (within_numbers(stored_charts.turn_slope_times_defect, "0.95"), SIDES),
+    (within_numbers(stored_charts.slope_times_defect, "0.17"), SIDES),
 ]
 
 
@@ -394,7 +394,7 @@ def test_the_rest_of_the_numerator_is_enclosed(b, R):
 
 @pytest.mark.parametrize("constant", ["1/2", "-1/20"])
 def test_too_small_a_curvature_shows_nothing_and_refutes_nothing(constant):
-    assert decide_bound(orders.bending(constant), budget=300).verdict is Verdict.UNDECIDED
+    assert decide_bound(stored_charts.bending(constant), budget=300).verdict is Verdict.UNDECIDED
 
 
 @pytest.mark.parametrize(("a", "b"), [(fmpq(4), fmpq(1)), (fmpq(1000), fmpq(1, 50))])

@@ -61,8 +61,10 @@ This is how each line is understood:
   ``> paper:``, ``> shown:``, ``> kind:``, ``> fault:``, ``> assumed:`` and ``> quotes:`` give the
   sentence whose formula the claim is, what the paper prints, the LaTeX of a formula that is hard to
   read, the kind, what is wrong with the paper, what an assumption is called, and the theorems that
-  the claim rests on. ``> prints: …`` is the formula as the paper prints it, ``> constant: 2 of g``
-  the constant of a bound ``f <= 2*g``, and ``> rests on: …`` names claims that are not put in.
+  the claim rests on. ``> constant: 2 of g`` is the constant of a bound ``f <= 2*g``, and ``> rests
+  on: …`` names claims that are not put in. ``> prints: …`` is the formula as the paper prints it;
+  an order of which a bound is decided says how it follows from the bound, ``> prints: f == g + O(x)
+  as x -> 0, with a, b fixed, where u == v``.
 
 To convert a module of Python: write each claim on a line, with the same conditions in the same
 order and the claims that its evidence names after ``using``, and compare. Statement and conditions
@@ -109,10 +111,12 @@ from tresym.ledger.claim import (
 )
 from tresym.ledger.conversion import conditions, tree
 from tresym.ledger.evidence.asymptotics import SIDES, Asymptotics
+from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted, Charts
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.integrals import with_bounds
 from tresym.ledger.evidence.interval_evaluation import Evaluated
+from tresym.ledger.evidence.remainders import Remainder
 from tresym.ledger.evidence.sign_prover import undefined
 from tresym.ledger.reasons import (
     changing_variable,
@@ -192,6 +196,9 @@ _SIGN = r"(?<![<>=!~:])(?:==|<=|>=|!=|<|>)(?![=<>])"
 _PRINTED = re.compile(r"(.*?)~=\s*([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(\s+within\s+one\s+unit)?\s*")
 _INFIMUM = re.compile(r"infimum\((.+)\)\s*==\s*([^=]+)")
 _IN_WORDS = re.compile(r"in\s+words,\s+from\s+(.*)", re.DOTALL)
+_ORDER = re.compile(
+    r"(.*?)\s+as\s+(\w+)\s*->\s*0\s*(?:,\s*with\s+(.*?)\s+fixed)?(?:,\s*where\s+(.*))?", re.DOTALL
+)
 _BECAUSE = re.compile(r"(.*\S)\s+\[([^\[\]]*)\]\s*", re.DOTALL)
 _RULE = re.compile(r"(?:[^\W\d]\w*\s*=(?!=)|(cut\s+at|antiderivative)\b)\s*(.+)", re.DOTALL)
 _RULES = {None: changing_variable, "cut": cutting, "antiderivative": integrating}
@@ -324,8 +331,7 @@ class _Reader(Reader):
             means = waiting.fields.get("says")
             waiting.fields |= {"says": match[2]} | ({} if means is None else {"means": means})
         elif match[1] == "prints":
-            decided = waiting.fields["says"]
-            waiting.fields |= {"says": self._says(match[2]), "means": decided}
+            self._prints(waiting.fields, match[2])
         elif match[1] == "rests on":
             proof = waiting.fields["proof"]
             if not isinstance(proof, Decided | Charted):
@@ -346,14 +352,42 @@ class _Reader(Reader):
         else:
             waiting.fields[{"paper": "paper_says"}.get(match[1], match[1])] = match[2]
 
+    def _prints(self, fields: dict[str, Any], text: str) -> None:
+        """Take the formula that the paper prints, and how its order follows from a bound.
+
+        Behind ``as x -> 0`` stand the symbols that do not vary, and what others mean.
+        """
+        if "means" in fields:
+            raise InputError("the claim has a sentence or a printed formula above this line")
+        match = _ORDER.fullmatch(text)
+        fields |= {"says": self._says(match[1] if match else text), "means": fields["says"]}
+        if match is None:
+            return
+        names = map(str.strip, (match[3] or "").split(","))
+        held = tuple(Symbol(name, real=True) for name in names if name)
+        meant = [self._says(part.strip()) for part in split(match[4] or "", ",") if part]
+        if not all(isinstance(part, Eq) for part in meant):
+            raise InputError("what a symbol means is an equation: write where u == v")
+        reading = tuple((part.args[0], part.args[1]) for part in meant)
+        remainder = Remainder(Symbol(match[2], real=True), held, reading)
+        proof = fields["proof"]
+        if isinstance(proof, Boxes) and proof.meant is not None:
+            fields["proof"] = replace(proof, meant=replace(proof.meant, remainder=remainder))
+        elif isinstance(proof, Decided | Charted):
+            fields["proof"] = replace(proof, remainder=remainder)
+        else:
+            raise InputError("'as' behind what is printed is for a bound that is decided")
+
     def _with_constant(self, fields: dict[str, Any], text: str) -> Evidence:
         """Evidence for a bound with the constant that is printed, ``2 of GAUGE``."""
         number, _, gauge = text.partition(" of ")
         size = self._tree(f"({number})*({gauge})") if gauge else self._tree(number)
-        sides = [side for part in parts_of(fields["says"]) for side in part.args]
-        if not isinstance(fields["proof"], Decided | Charted) or _in_sympy(size) not in sides:
+        says = fields.get("means", fields["says"])
+        sides = [side for part in parts_of(says) for side in part.args]
+        proof = fields["proof"]
+        if not isinstance(proof, Decided | Charted | Boxes) or _in_sympy(size) not in sides:
             raise InputError(f"the statement contains no bound {text}")
-        proof: Decided | Charted = replace(fields["proof"], constant=parse_number(number))
+        proof = replace(proof, constant=parse_number(number))
         if isinstance(proof, Decided):
             return replace(proof, gauge=_in_sympy(self._tree(gauge)) if gauge else sympy.S.One)
         return proof
@@ -964,7 +998,7 @@ def _evidence(
 def _expected(word: str, proof: Evidence, uses: list[Claim]) -> Any:
     if word == "refuted":
         return Verdict.REFUTED
-    if isinstance(proof, Printed | Evaluated | Charted) or word == "enclosed":
+    if isinstance(proof, Printed | Evaluated | Charted | Boxes) or word == "enclosed":
         return Verdict.ENCLOSED
     if isinstance(proof, Dominated):
         uses = [*uses, *proof.claims]

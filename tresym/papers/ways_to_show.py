@@ -50,6 +50,7 @@ from tresym.ledger.claim import (
     MonotoneOf,
     by,
 )
+from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charts
 from tresym.ledger.evidence.decided import Decided, InVariables
 from tresym.ledger.evidence.interval_evaluation import Evaluated
@@ -157,6 +158,8 @@ def _charted(name: str, line: Line) -> Evidence:
     if name not in line.charts:
         raise InputError(f"{name} are no charts: write use {name} from FILE")
     made = line.charts[name].made(line.claims)
+    if isinstance(made, Boxes):
+        return replace(made, claims=line.uses, stored=certificate(line.label))
     known = line.decided
     return replace(
         made, put=known.put, cited=known.cited, also=known.also, stored=certificate(line.label)

@@ -41,7 +41,7 @@ from tresym.ledger.conversion import (
     put_in,
     tree,
 )
-from tresym.ledger.evidence.box_bounds import closed, decimal, decisions_of
+from tresym.ledger.evidence.box_bounds import Boxes, closed, decimal, decisions_of
 from tresym.ledger.evidence.chain import instantiated, unmet_condition
 from tresym.ledger.evidence.integrals import NotShownError, with_bounds
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
@@ -184,10 +184,11 @@ class Charts:
 
     Attributes:
         made: returns the charts and readings, for a file that has stated the claims which say what
-            the steps of the margins are. What is put in and cited stands in the file.
+            the steps of the margins are. What is put in and cited stands in the file. Or returns
+            boxes, if the symbols of the claim are no functions of their coordinates.
     """
 
-    made: Callable[[Stated], Charted]
+    made: Callable[[Stated], Charted | Boxes]
 
 
 def _claims(readings: tuple[Reading, ...]) -> Iterator[Claim]:
