@@ -63,7 +63,7 @@ SUGGESTING = ("repair/", "checking/test_answer_cache.py")
 """Tests of the core that read the true claims which are suggested in place of a refuted one."""
 CORE = (
     *("reals/", "asymptotics/", "checking/", "racket/", "ledger/"),
-    *("dev/corpus/", "dev/mutants/"),
+    *("dev/corpus/", "dev/mutants/", "test_verdicts.py"),
 )
 
 
@@ -79,6 +79,7 @@ def no_suggestions(request: pytest.FixtureRequest) -> Iterator[None]:
 
 
 LONGEST = (
+    "test_verdicts.py",
     *("ledger/test_verification.py", "commands/test_hostile.py", "site/test_in_the_browser.py"),
     *("site/test_explorer.py", "proofs/figures/test_figures.py", "sweep/test_sweep.py"),
     *("test_packaging.py", "report/pages/test_documents_about.py", "dev/bench/test_bench.py"),

@@ -52,6 +52,7 @@ HUNTS = {
     "exceptional": Hunt((), 40, ("tests/exceptional_claims.py",)),
     "finite": Hunt((), 1000, ("tests/finite_claims.py",)),
     "known": Hunt((), 200, ("tests/known.py",)),
+    "spellings": Hunt((), 200, ("tests/spellings.py",)),
 }
 
 

@@ -238,6 +238,9 @@ def merged(stored: dict[str, Any], found: dict[str, Any]) -> dict[str, Any]:
     return {**found, "files": files, "alive": alive + found["alive"]}
 
 
+FOLDERS = "tests/reals tests/ledger tests/dev tests/manuscript tests/test_verdicts.py"
+
+
 def main() -> int:
     """Try the mutants of the files named, or of all; or ``show``, or ``save``."""
     names = sys.argv[1:]
@@ -276,7 +279,7 @@ def main() -> int:
     words = ["-n", "0", "-q", "-s", "-p", "no:cacheprovider", "-o", "timeout=0"]
     words += ["-m", "not coq and not night and not slow"]
     words += ["-W", "ignore:Module already imported", "-o", "addopts=--import-mode=importlib"]
-    words += os.environ.get("TESTS", "tests/reals tests/ledger tests/dev tests/manuscript").split()
+    words += os.environ.get("TESTS", FOLDERS).split()
     return int(pytest.main(words, plugins=[Guards(wanted)]))
 
 

@@ -104,18 +104,6 @@ def test_a_region_may_be_asked_for() -> None:
 
 @pytest.mark.parametrize(
     "claim",
-    [
-        "tan(x) == x + O(x**3) as x -> 0 on abs(x) <= 2",  # a pole inside the region
-        "log(1 - x) == O(x) as x -> 0+ on 0 < x <= 1",
-        "1/(1 - x) == 1 + O(x) as x -> 0+ on 0 < x <= 3",
-    ],
-)
-def test_no_constant_beyond_a_singularity(claim: str) -> None:
-    assert tresym.check(claim).verdict.value == "UNDECIDED"
-
-
-@pytest.mark.parametrize(
-    "claim",
     cases(__file__, "a_region_reaches_the_end_of_the_path_of_an_order"),
 )
 def test_a_region_reaches_the_end_of_the_path_of_an_order(claim: str) -> None:

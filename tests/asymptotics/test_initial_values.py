@@ -51,18 +51,3 @@ def test_the_uniform_constant_bounds_the_error_of_a_numerical_solution() -> None
                 exact = 1 / (mpmath.exp(t) * (1 - e) + e)  # Bernoulli's equation
                 a = mpmath.exp(-t) + e * (mpmath.exp(-t) - mpmath.exp(-2 * t))
                 assert abs(exact - a) <= high * e**2
-
-
-@pytest.mark.parametrize(
-    "claim",
-    [
-        "y(x) == exp(1 - x) + O(e) given e*diff(y(x), x, 2) + diff(y(x), x) + y(x) == 0, "
-        "y(0) == 0, y(1) == 1 as e -> 0+",
-        "y(x) == 1 + O(e) given e*diff(y(x), x, 2) + y(x)*diff(y(x), x) == 0, y(0) == 0, "
-        "y(1) == 1, 0 <= x <= 1 as e -> 0+",
-    ],
-)
-def test_boundary_layers_are_refused_by_name(claim: str) -> None:
-    answer = decide_claim(claim)
-    assert answer.verdict.value == "UNDECIDED"
-    assert "boundary layer" in answer.why

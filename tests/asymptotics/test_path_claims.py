@@ -1,9 +1,7 @@
 """Claims along a path: true ones hold, false ones are refuted, and none is proved of nothing."""
 
 import pytest
-from cases import cases
 
-import tresym
 from tresym.asymptotics.path_claims import (
     _by_exact_limit,
     _by_signs,
@@ -20,35 +18,6 @@ from tresym.reals.language.expression import ZERO
 from tresym.reals.language.parsing import parse
 from tresym.reals.language.paths import Path
 from tresym.reals.verdict import Verdict
-
-HOLD = cases(__file__, "HOLD")
-FAIL = cases(__file__, "FAIL")
-OPEN = cases(__file__, "OPEN")
-
-
-@pytest.mark.parametrize("claim", HOLD)
-def test_what_holds_along_a_path(claim: str) -> None:
-    assert tresym.check(claim).verdict in (Verdict.PROVED, Verdict.ENCLOSED)
-
-
-@pytest.mark.parametrize("claim", FAIL)
-def test_what_fails_along_a_path_is_refuted_with_a_witness(claim: str) -> None:
-    answer = tresym.check(claim)
-    assert answer.verdict is Verdict.REFUTED
-    assert answer.witness
-
-
-@pytest.mark.parametrize(
-    "claim",
-    [
-        "x*(2 + sin(1/x)) > 0 as x -> 0",  # from above alone
-        "x*(2 + sin(1/x)) < 0 as x -> 0",
-        "a*atan(1/x) -> -a*pi/2 as x -> 0",
-        "sin(1/x)*(abs(x) + x) - x > 0 as x -> 0",  # from below alone
-    ],
-)
-def test_what_holds_on_one_side_does_not_on_both(claim: str) -> None:
-    assert not tresym.check(claim)
 
 
 @pytest.mark.parametrize(
@@ -125,11 +94,6 @@ def test_what_holds_from_somewhere_on_is_asked_on_each_side(
         return Answer(Verdict.REFUTED if place in failing else Verdict.PROVED, "")
 
     assert _from_somewhere_on(claim, path, statement, decided).verdict is verdict
-
-
-@pytest.mark.parametrize("claim", OPEN)
-def test_what_says_nothing_is_not_decided(claim: str) -> None:
-    assert tresym.check(claim).verdict is Verdict.UNDECIDED
 
 
 def test_each_sign_of_a_parameter_counts() -> None:

@@ -49,11 +49,6 @@ def test_what_is_true_is_refuted_by_neither_guard_alone(
         assert tresym.check(claim).verdict is not Verdict.REFUTED
 
 
-@pytest.mark.parametrize("claim", DEPENDENT_WAVES)
-def test_dependent_waves_are_functions_of_one_phase(claim: str) -> None:
-    assert tresym.check(claim).verdict in (Verdict.PROVED, Verdict.ENCLOSED)
-
-
 @pytest.mark.parametrize(("claim", "witness"), INTEGERS)
 def test_values_that_the_conditions_exclude_refute_nothing(
     claim: str, witness: dict[str, str], monkeypatch: pytest.MonkeyPatch
@@ -95,3 +90,8 @@ def test_parameters_of_no_use_get_values() -> None:
     assert found.verdict is Verdict.REFUTED
     assert found.witness is not None
     assert found.witness["a"] in ("2", "-2")
+
+
+@pytest.mark.parametrize("claim", DEPENDENT_WAVES)
+def test_dependent_waves_are_functions_of_one_phase(claim: str) -> None:
+    assert tresym.check(claim).verdict in (Verdict.PROVED, Verdict.ENCLOSED)

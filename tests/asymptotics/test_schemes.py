@@ -25,26 +25,6 @@ def test_scheme(line: str) -> None:
     assert decide_claim(claim).verdict.value == VERDICTS[truth]
 
 
-def test_leading_error_and_true_order() -> None:
-    simpson = "integral(f(t), t, x, x+h) == h/6*(f(x) + 4*f(x+h/2) + f(x+h)) + O(h**{}) as h -> 0"
-    assert "-h**5*diff(f(x), x, 4)/2880" in tresym.check(simpson.format(5)).why
-    assert "the true order is h**5" in tresym.check(simpson.format(6)).why
-
-
-@pytest.mark.parametrize("given", ["f(x) == 0", "diff(f(x), x) == 0"])
-def test_conditions_are_not_dropped(given: str) -> None:
-    found = tresym.check("f(x+h) == f(x) + O(h**2) as h -> 0", given=given)
-    assert found.verdict.value == "UNDECIDED"
-
-
-def test_leading_error_of_a_method() -> None:
-    midpoint = "y(t+h) == y(t) + h*f(y(t) + h/2*f(y(t))) + O(h**{}) as h -> 0"
-    equation = "diff(y(t), t) == f(y(t))"
-    error = "h**3*(f**2*f_yy/24 + f*f_y**2/6)"
-    assert error in tresym.check(midpoint.format(3), given=equation).why
-    assert "the true order is h**3" in tresym.check(midpoint.format(4), given=equation).why
-
-
 def test_systems() -> None:
     """Scalar equations do not tell f_y(f_yy(f, f)) from f_yy(f, f_y(f)), systems do."""
     found = tresym.check(

@@ -34,36 +34,8 @@ from tresym.report.pages.check_tables import measured
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
 REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
 
-TRUE = cases(__file__, "TRUE")
 
 FALSE = cases(__file__, "FALSE")
-
-OPEN = cases(__file__, "OPEN")
-
-
-@pytest.mark.parametrize("claim", TRUE)
-def test_true_claims_hold(claim: str) -> None:
-    assert tresym.check(claim).verdict in (PROVED, ENCLOSED)
-
-
-@pytest.mark.parametrize(
-    "claim",
-    [
-        "x + sqrt(x**2*(x - 1)) >= 1",
-        "y + sqrt((x - 3)**2*(y - 1)) >= 1",
-    ],
-)
-def test_points_at_which_a_side_is_defined_alone_are_excepted(claim: str) -> None:
-    """In equalities and in inequalities alike."""
-    assert tresym.check(claim).verdict is PROVED
-
-
-@pytest.mark.parametrize(
-    "claim",
-    cases(__file__, "points_at_which_a_condition_holds_alone_count"),
-)
-def test_points_at_which_a_condition_holds_alone_count(claim: str) -> None:
-    assert not tresym.check(claim)
 
 
 REGULAR = cases(__file__, "REGULAR")
@@ -80,17 +52,6 @@ def test_planted_falsehoods_are_refuted(claim: str) -> None:
     answer = tresym.check(claim)
     assert answer.verdict is REFUTED
     assert answer.witness is not None
-
-
-@pytest.mark.parametrize("claim", OPEN)
-def test_nothing_is_proved_vacuously(claim: str) -> None:
-    assert tresym.check(claim).verdict is UNDECIDED
-
-
-def test_a_candidate_for_a_point_of_contact_need_not_be_real() -> None:
-    """1 - (x - pi)**2 = 2 at x = pi + sqrt(-1)."""
-    found = tresym.check("1/(1 - (x - pi)**2) != 1/2 given pi - 1 < x < pi + 1")
-    assert found.verdict is not Verdict.REFUTED
 
 
 def test_a_refutation_shows_both_sides_apart() -> None:
@@ -110,10 +71,6 @@ def test_an_order_comes_with_a_certified_constant_and_range() -> None:
     high = parse_number(answer.constant.mid) + parse_number(answer.constant.rad)
     assert low <= parse_number("1/6") <= high
     assert high < parse_number("0.17")
-
-
-def test_the_true_order_is_named() -> None:
-    assert "behaves like -x**3/6" in tresym.check("sin(x) - x == O(x**4)", path="x -> 0+").why
 
 
 # -- soundness by trial -------------------------------------------------------------------------
@@ -212,11 +169,6 @@ X = sympy.Symbol("x")
 def test_sympy_assumptions_on_a_sign_are_conditions(assumption: str) -> None:
     x = sympy.Symbol("x", **{assumption: True})
     assert tresym.check(sympy.Gt(x + 1, 0, evaluate=False))
-
-
-def test_a_sign_is_a_number_in_expansions() -> None:
-    assert tresym.check("asin(sign(x+1)) + acos(sign(x+1)) <= pi/2", given="x != 0")
-    assert tresym.check("atan((7/2-x)*(2-x)) + atan(sign(x-2)) >= -3", given="x > 0")
 
 
 @pytest.mark.slow
@@ -406,12 +358,6 @@ def test_a_sample_of_the_antiderivatives() -> None:
         assert tresym.check(pair.claim).verdict is PROVED, pair
 
 
-def test_where_nothing_is_real_the_parts_are_named() -> None:
-    answer = tresym.check("diff(asin(x)*log(x**2 - 1), x) == 1")
-    assert answer.verdict is UNDECIDED
-    assert "log(x**2 - 1) and asin(x) must be real" in answer.why
-
-
 def test_a_proof_says_whether_what_is_differentiated_is_real() -> None:
     assert "the differentiated functions are real at" in tresym.check("diff(log(x), x) == 1/x").why
     for claim in ("diff(-atanh(cosh(x)), x) == csch(x)", "diff(x + log(-1), x) == 1"):
@@ -476,40 +422,11 @@ def test_check_loads_flint_alone(claim: str) -> None:
     assert done.returncode == 0, done.stderr
 
 
-@pytest.mark.parametrize(
-    ("claim", "given", "never"),
-    cases(__file__, "a_power_0_and_a_condition_speak_where_they_are_defined"),
-)
-def test_a_power_0_and_a_condition_speak_where_they_are_defined(
-    claim: str, given: str, never: Verdict
-) -> None:
-    assert tresym.check(claim, given).verdict is not never
-
-
-def test_a_factor_of_even_power_that_cannot_vanish_bounds_nothing() -> None:
-    assert tresym.check("x >= 1", given="(x**2 + 1)**2*(x - 3) >= 0").verdict is Verdict.PROVED
-
-
-HOLD_ALONE = cases(__file__, "HOLD_ALONE")
-"""False at x = -1 or at the negative root of 2, where the conditions hold and nowhere near."""
-
-
-@pytest.mark.parametrize("claim", HOLD_ALONE)
-def test_points_where_conditions_hold_alone_are_not_forgotten(claim: str) -> None:
-    assert not decide_claim(claim)
-
-
 def test_a_jump_that_is_not_told_apart_is_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
     claim = "2 + sign(x) > 0"
     assert decide_claim(claim)
     monkeypatch.setattr(dispatch, "cases_at_jumps", lambda *_: iter([None]))
     assert decide_claim(claim).verdict is Verdict.UNDECIDED
-
-
-@pytest.mark.parametrize("inner", ["sum(x**k, k, 0, 3)", "sum(k, k, 1, n)"])
-@pytest.mark.parametrize("relation", ["==", ">", "!="])
-def test_derivatives_of_what_is_not_worked_out_are_left_open(inner: str, relation: str) -> None:
-    assert tresym.check(f"diff({inner}, x) {relation} x").verdict is UNDECIDED
 
 
 @pytest.mark.parametrize(

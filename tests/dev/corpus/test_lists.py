@@ -6,7 +6,6 @@ from itertools import product
 from pathlib import Path
 
 import pytest
-from cases import cases
 from flint import arb, fmpq
 from hypothesis import given
 from hypothesis import strategies as st
@@ -27,15 +26,9 @@ SAVED = Path(__file__).resolve().parents[3] / "docs" / "measurements"
 PROVED, ENCLOSED = Verdict.PROVED, Verdict.ENCLOSED
 REFUTED, UNDECIDED = Verdict.REFUTED, Verdict.UNDECIDED
 
-NAMED = cases(__file__, "NAMED")
 LISTED = [pair for name in ("inequalities", "orders") for pair in known(name)]
 SAMPLED = [pair for n, pair in enumerate(LISTED) if not (pair.truth and n % 7)]
 """All that are false, and some that are true."""
-
-
-@pytest.mark.parametrize("claim", NAMED)
-def test_inequalities_with_names_are_proved(claim: str) -> None:
-    assert tresym.check(claim).verdict is PROVED
 
 
 @pytest.mark.slow
@@ -50,28 +43,6 @@ def test_what_is_measured_of_the_lists_has_nothing_wrong() -> None:
     for name in ("inequalities", "orders"):
         assert notes[f"true {name}"].get("REFUTED", 0) == 0
         assert not notes[f"false {name}"].keys() & {"PROVED", "ENCLOSED"}
-
-
-FALSE = cases(__file__, "FALSE")
-
-
-@pytest.mark.parametrize("claim", FALSE)
-def test_planted_falsehoods_are_refuted(claim: str) -> None:
-    answer = tresym.check(claim)
-    assert answer.verdict is REFUTED
-    assert answer.witness
-
-
-UNDEFINED = [
-    "log(x) - log(2*x) == O(1) as x -> 0-",
-    "sqrt(x) == O(sqrt(x)) as x -> 0-",
-    "acosh(x) - log(x) == O(1) as x -> -oo",
-]
-
-
-@pytest.mark.parametrize("claim", UNDEFINED)
-def test_no_order_is_granted_where_nothing_is_defined(claim: str) -> None:
-    assert tresym.check(claim).verdict is UNDECIDED
 
 
 SMALL = st.integers(-3, 4)
@@ -148,59 +119,6 @@ def test_where_a_derivative_vanishes(slope: str, zero: str) -> None:
 
 def test_a_symbol_in_several_terms_has_no_solution() -> None:
     assert solutions(differentiate(parse("x*exp(x)"), "x"), "x") == []
-
-
-BY_CASES = [
-    "acos(cos(x)) == abs(x) given -pi <= x <= pi",
-    "acosh(cosh(x)) == abs(x)",
-    "acos((1 - x**2)/(1 + x**2)) == 2*abs(atan(x))",
-    "acosh(cosh(x)) + acosh(cosh(y)) == abs(x) + abs(y)",
-]
-NARROW = cases(__file__, "NARROW")
-"""False, but at points that are few or in a small part of what the conditions allow."""
-
-
-@pytest.mark.parametrize("claim", BY_CASES)
-def test_identities_by_cases(claim: str) -> None:
-    """Where a normal form depends on the sign of a polynomial, it is zero for either sign."""
-    assert tresym.check(claim).verdict is PROVED
-
-
-@pytest.mark.parametrize("claim", NARROW)
-def test_what_fails_in_a_small_part_is_refuted(claim: str) -> None:
-    assert tresym.check(claim).verdict is REFUTED
-
-
-@pytest.mark.parametrize("claim", ["sin(x)/x > -0.3 given x > 0", "cos(x)/x < 1/5 given x > 3"])
-def test_a_search_of_a_part_of_the_line_proves_nothing_of_the_rest(claim: str) -> None:
-    assert tresym.check(claim).verdict in (ENCLOSED, PROVED)
-    assert tresym.check("sin(x) + sin(sqrt(2)*x) < 2 given x > 0").verdict is UNDECIDED
-
-
-HOMOGENEOUS = [
-    ("x*y*z <= 1/27", "x > 0, y > 0, z > 0, x + y + z <= 1", PROVED),
-    ("x*y*z < 1/27", "x > 0, y > 0, z > 0, x + y + z < 1", PROVED),
-    ("x*y*z < 1/27", "x > 0, y > 0, z > 0, x + y + z <= 1", REFUTED),
-    ("x*y*z >= -1/27", "x < 0, y < 0, z < 0, x + y + z >= -1", PROVED),
-    ("x + y >= 2", "x > 0, y > 0, x*y >= 1", PROVED),
-    ("x + y >= 2", "x*y >= 1", REFUTED),
-    ("x + y + z <= sqrt(3)", "x**2 + y**2 + z**2 <= 1", PROVED),
-    ("x + 2*y <= sqrt(5)", "x**2 + y**2 <= 1", PROVED),
-    ("x + y + z <= 1.7", "x**2 + y**2 + z**2 <= 1", REFUTED),
-    ("x**2 - y <= 1/4", "x > 0, y > 0, x + y <= 1", REFUTED),
-    ("1 - x - y - x*y >= 0", "x > 0, y > 0, x + y <= 1", REFUTED),
-    ("1 + x*y - x**2 - y**2 >= 0", "x + y <= 1", REFUTED),
-    ("x*y + y*z + z*x <= 1/3", "x + y + z <= 1", REFUTED),
-    ("x**2*y <= 0.148", "x >= 0, y >= 0, x + y <= 1", REFUTED),
-]
-
-
-@pytest.mark.parametrize(("claim", "conditions", "verdict"), HOMOGENEOUS)
-def test_conditions_that_make_a_polynomial_homogeneous(
-    claim: str, conditions: str, verdict: Verdict
-) -> None:
-    """Only terms of the right sign may be multiplied by the form of the condition."""
-    assert tresym.check(claim, given=conditions).verdict is verdict
 
 
 @given(

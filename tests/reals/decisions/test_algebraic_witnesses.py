@@ -40,21 +40,3 @@ def test_points_of_simple_constants(right: str, found: bool) -> None:
     answer = equal_at_simple(parse(right), left, Given(), near)
     assert (answer is not None) is found
     assert equal_at_simple(parse(right), left, Given.parse("x < 1.04"), near) is None
-
-
-@pytest.mark.parametrize(
-    ("claim", "verdict"),
-    cases(__file__, "where_signs_can_change"),
-)
-def test_where_signs_can_change(claim: str, verdict: Verdict) -> None:
-    assert tresym.check(claim).verdict is verdict
-
-
-@pytest.mark.parametrize("claim", ["(x**2 - 2)**2*(1 + y**2) > 0", "(x**2 - 2)**2*(x + y) != 0"])
-def test_a_zero_in_one_variable_is_confirmed(claim: str) -> None:
-    assert tresym.check(claim).verdict is Verdict.REFUTED
-
-
-def test_an_open_cell_shows_what_no_sample_does() -> None:
-    answer = tresym.check("(x - 1000)**2*(x - 1001) >= 0", "x >= 1000.5, x <= 1001")
-    assert answer.verdict is Verdict.REFUTED

@@ -20,33 +20,6 @@ def divided(text: str, conditions: str) -> Expr | None:
     return cleared(parse(text), Given(tuple(parse_given(conditions))), never)
 
 
-@pytest.mark.parametrize(
-    ("claim", "conditions"),
-    [
-        ("4*b*e**2 - b*sin(2*e)**2 > 7*b*e**4/2", "0 < e, e <= 3/4, b > 0"),
-        ("(x - sin(x))/r**2 > x**3/(7*r**2)", "0 < x, x <= 1, 0 < r, r <= 1"),
-        ("c*(x - sin(x)) < c*x**3/7", "0 < x, x <= 1, c < 0"),
-    ],
-)
-def test_an_unbounded_factor_and_a_pole_on_an_edge_do_not_matter(
-    claim: str, conditions: str
-) -> None:
-    assert tresym.check(claim, given=conditions)
-
-
-@pytest.mark.parametrize(
-    ("claim", "conditions"),
-    [
-        ("4*b*e**2 - b*sin(2*e)**2 > 7*b*e**4/2", "0 < e, e <= 3/4"),  # b < 0
-        ("c*(x - sin(x)) > c*x**3/7", "0 < x, x <= 1, c < 0"),
-        ("(x - sin(x))/r > x**3/(7*r)", "0 < x, x <= 1, -1 <= r, r <= 1"),
-        ("b*(x - sin(x)) > b*x**3/7", "0 < x, x <= 1, b >= 0"),  # b = 0
-    ],
-)
-def test_a_factor_without_a_strict_sign_stays(claim: str, conditions: str) -> None:
-    assert tresym.check(claim, given=conditions).verdict is Verdict.REFUTED
-
-
 def test_the_signs_of_factors_are_those_proved() -> None:
     assert divided("1/y + x/y", "x > 0") is None
     assert divided("b*x**2 + b*x", "b > 0, x > 0") == parse("x + 1")

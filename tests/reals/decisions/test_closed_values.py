@@ -6,18 +6,12 @@ from cases import cases
 import tresym
 
 TRUE = tuple(cases(__file__, "TRUE"))
-FALSE = tuple(cases(__file__, "FALSE"))
 
 
 @pytest.mark.parametrize("claim", TRUE)
 @pytest.mark.slow
 def test_a_printed_number_that_is_right_holds(claim: str) -> None:
     assert tresym.check(claim).verdict.holds
-
-
-@pytest.mark.parametrize("claim", FALSE)
-def test_a_printed_number_that_is_wrong_is_refuted(claim: str) -> None:
-    assert tresym.check(claim).verdict.value == "REFUTED"
 
 
 @pytest.mark.parametrize("claim", ["pi ~= x", "0.1150 ~= pi", "pi ~= 3.14 + 0", "pi ~= 3.1.4"])

@@ -10,7 +10,6 @@ from tresym.reals.decisions.answer import Answer
 from tresym.reals.verdict import Verdict
 
 NOWHERE = cases(__file__, "NOWHERE")
-SOMEWHERE = cases(__file__, "SOMEWHERE")
 
 
 @pytest.mark.parametrize("claim", NOWHERE)
@@ -23,8 +22,3 @@ def test_nothing_is_proved_of_what_is_defined_nowhere(
     assert answer.verdict is Verdict.UNDECIDED
     monkeypatch.setattr(definedness_check, "unspoken", lambda *_: None)
     assert tresym.check(claim).verdict in (Verdict.PROVED, Verdict.UNDECIDED)
-
-
-@pytest.mark.parametrize("claim", SOMEWHERE)
-def test_what_is_defined_somewhere_passes(claim: str) -> None:
-    assert tresym.check(claim).verdict in (Verdict.PROVED, Verdict.ENCLOSED)

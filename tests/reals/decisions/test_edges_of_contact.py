@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 from flint import arb, fmpq
 
-import tresym
 from tresym.reals.decisions import edges_of_contact
 from tresym.reals.decisions.edges_of_contact import Edge, Quotient
 from tresym.reals.decisions.inequalities_on_regions import search
@@ -16,7 +15,6 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Interval
 from tresym.reals.verdict import Verdict
 
-SIDE = "2*sin(e)/(cos(e) + sqrt(1 + R*sin(e)**2))"
 TINY = "x**3 + x*(1 - sin(y)**2 - cos(y)**2 - 1/10**100)"
 """Negative for x < 10**(-50), although its coefficient of x is 0 to 250 bits."""
 UNIT = "0 < x, x <= 1, 0 < y, y <= 1"
@@ -24,30 +22,6 @@ UNIT = "0 < x, x <= 1, 0 < y, y <= 1"
 
 def given(text: str) -> Given:
     return Given(tuple(parse_given(text)))
-
-
-@pytest.mark.parametrize(
-    ("claim", "conditions"),
-    [
-        (f"abs(e - {SIDE}) <= 0.92*e**3", "0 < R <= 4, 0 < e <= 1/4"),
-        ("sin(x*y)*exp(-x**2*y) <= x*y - x**3*y**2/9", "0 < x, x <= 1, 1/4 <= y, y <= 1"),
-        ("cos(y*(1 - x)) >= 1 - y*(1 - x)", "0 <= x <= 1, 0 < y <= 1"),
-    ],
-)
-def test_the_power_that_vanishes_on_an_edge_is_divided_out(claim: str, conditions: str) -> None:
-    assert tresym.check(claim, given=conditions)
-
-
-@pytest.mark.parametrize(
-    ("claim", "conditions"),
-    [
-        (f"abs(e - {SIDE}) <= 0.9*e**3", "0 < R <= 4, 0 < e <= 1/4"),
-        ("sin(x*y) < x*y", "0 <= x <= 1, 0 < y <= 1"),
-        ("sin(x*y)*exp(-x**2*y) <= x*y - x**3*y**2", UNIT),
-    ],
-)
-def test_what_fails_beside_or_on_an_edge_is_refuted(claim: str, conditions: str) -> None:
-    assert tresym.check(claim, given=conditions).verdict is Verdict.REFUTED
 
 
 def test_coefficients_vanish_by_exact_normal_forms() -> None:

@@ -4,7 +4,6 @@ import pytest
 from cases import cases
 from flint import arb
 
-import tresym
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.inequalities_on_regions import search
 from tresym.reals.domain.conditions import Given
@@ -97,19 +96,3 @@ def test_neighbourhoods_of_both_infinities_may_meet() -> None:
 )
 def test_a_contact_where_an_inequation_holds_counts(left: str, under: str) -> None:
     assert not searched(left, "0", True, under)
-
-
-@pytest.mark.parametrize(
-    ("claim", "under", "verdict"),
-    [
-        ("log(x) <= 10/E*x**(1/10)", "x >= 1", Verdict.UNDECIDED),
-        ("x < exp(exp(exp(5)))", "0 < x, x < 10", Verdict.PROVED),
-        ("x > exp(-exp(exp(6)))", "x > 1", Verdict.PROVED),
-        ("x > exp(exp(30))", "x > 0", REFUTED),
-        ("abs(x - exp(exp(40))) >= 0", "", Verdict.PROVED),
-    ],
-)
-def test_what_no_memory_holds_as_a_fraction_ends_no_process(
-    claim: str, under: str, verdict: Verdict
-) -> None:
-    assert tresym.check(claim, given=under).verdict is verdict

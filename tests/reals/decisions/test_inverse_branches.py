@@ -96,32 +96,6 @@ def test_what_is_not_defined_is_named(claim: str, part: str) -> None:
     assert answer.why.startswith(f"{part} is undefined")
 
 
-@pytest.mark.parametrize(
-    ("claim", "verdict"),
-    [
-        ("atan(x) + atan(y) == atan2(x + y, 1 - x*y)", Verdict.PROVED),
-        ("atan(x) + atan(y) == atan2(x + y, -1 - x*y)", Verdict.REFUTED),
-        ("atan2(x + y, x*y - 1) == atan2(x + y, -1 + x*y)", Verdict.PROVED),
-    ],
-)
-def test_jumps_that_nothing_reaches(claim: str, verdict: Verdict) -> None:
-    assert tresym.check(claim).verdict is verdict
-
-
-@pytest.mark.parametrize("n", [180, 360, 17, 97])
-def test_angles_of_small_parts_of_a_turn(n: int) -> None:
-    true = f"sin(7*pi/{n})*cos(5*pi/{n}) + cos(7*pi/{n})*sin(5*pi/{n}) == sin(12*pi/{n})"
-    assert tresym.check(true).verdict is Verdict.PROVED
-    assert tresym.check(f"{true} + 1/10**100").verdict is Verdict.REFUTED
-
-
-def test_roots_and_cosines_of_one_field_do_not_stand_beside_each_other() -> None:
-    claim = "tan(17*pi/180)*tan(43*pi/180) + (tan(17*pi/180) + tan(43*pi/180))*tan(pi/6)"
-    assert tresym.check(f"tan(pi/6)**2*0 + {claim} == 1").verdict is Verdict.PROVED
-    assert tresym.check(f"{claim} == 1").verdict is Verdict.PROVED
-    assert tresym.check(f"{claim} == sqrt(3)/2").verdict is Verdict.REFUTED
-
-
 def test_a_range_that_an_inverse_never_reaches_is_not_read_off_its_argument() -> None:
     """asin x lies below 3π/2, though x is above sin(3π/2)."""
     given = Given.parse("0 <= x, x <= 1")

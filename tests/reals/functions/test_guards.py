@@ -3,7 +3,6 @@
 import pytest
 from flint import arb
 
-import tresym
 from tresym.reals.decisions import equal_by_limit, identity
 from tresym.reals.domain.conditions import Given
 from tresym.reals.expansions.limit_values import limit_of
@@ -53,35 +52,6 @@ def test_a_series_is_enveloping_only_from_some_index() -> None:
         careless = factor("careless", lambda k: row.taylor(k, None), None)  # type: ignore[misc]
         assert careless.remainder is not None
         assert not value <= careless.remainder(v, 0)
-
-
-def test_a_recurrence_stops_before_a_pole() -> None:
-    """E₁ by E₀ would be divided by 0."""
-    assert tresym.check("expint(1, x) == expint(1, x)*(1 + x - x)").verdict.value == "PROVED"
-    assert not tresym.check("expint(1, x) == exp(-x)/x")
-
-
-def test_a_path_may_not_pass_the_domain() -> None:
-    assert not tresym.check("elliptic_k(m) -> oo as m -> 1+")
-    assert not tresym.check("lambertw(x) -> -1 as x -> -1")
-    assert not tresym.check("loggamma(x) -> 0 as x -> -oo")
-
-
-def test_identities_of_ei_hold_on_either_side() -> None:
-    assert tresym.check("Ei(-x) == -E1(x) given x > 0").verdict.value == "PROVED"
-    assert not tresym.check("Ei(-x) == -E1(x) given x < 0")
-
-
-@pytest.mark.parametrize(
-    "claim",
-    [
-        "diff(Si(x), x) < 1",  # it is 1 at 0, where the formula sin(x)/x has no value
-        "diff(elliptic_k(m), m) < pi/8 given m <= 0",
-        "diff(polylog(2, x), x) > 1 given 0 <= x, x < 1",
-    ],
-)
-def test_holes_of_derivative_formulas_are_looked_at(claim: str) -> None:
-    assert tresym.check(claim).verdict.value == "REFUTED"
 
 
 def test_the_prover_uses_the_module_under_test() -> None:

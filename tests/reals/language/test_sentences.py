@@ -169,14 +169,6 @@ def test_the_conditions_apart_are_read_as_the_claim_is() -> None:
     assert spelled_conditions("x") is None
 
 
-@pytest.mark.parametrize(
-    "claim",
-    cases(__file__, "false_claims_of_newcomers_are_refuted"),
-)
-def test_false_claims_of_newcomers_are_refuted(claim: str) -> None:
-    assert tresym.check(claim).verdict is Verdict.REFUTED
-
-
 def test_an_echo_is_shown_with_the_answer() -> None:
     assert ("read as", "2*x + 3*x == 5*x") in tresym.check("2x + 3x = 5x").rows()
 

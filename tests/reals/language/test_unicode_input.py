@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 import sympy
-from cases import cases
 from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Derivative, Eq, Symbol, log, sqrt
@@ -22,31 +21,6 @@ from tresym.reals.language.readings import read_as
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
-
-READ = [
-    "sin(π) == 0",
-    "x² + 1 > 0",
-    "x = x",
-    "x·y ≤ (x² + y²)/2",
-    "x × 3 ÷ 3 == x",
-    "√(x²) == |x|",
-    "||x| − |y|| ≤ |x − y|",
-    "|x·(−2)| == 2·|x|",
-    "α + β₁ == β₁ + α",
-    "x⁻² == 1/x²",
-    "x ≥ −1 given x > 0 and y > 0",
-    "x ≥ −1 given x > 0; y > 0",
-    "exp(−x) == o(1/x) as x → ∞",
-    "max(x, y, z) >= x",
-    "min(x, y) == (x + y - abs(x - y))/2",
-    "$x^2 \\ge 0$",
-    r"\frac{x}{y} + \frac{y}{x} \geq 2 given x > 0, y > 0",
-]
-
-
-@pytest.mark.parametrize("claim", READ)
-def test_printed_signs_are_read(claim: str) -> None:
-    assert tresym.check(claim)
 
 
 @pytest.mark.parametrize(
@@ -113,36 +87,6 @@ def test_points_can_be_read_where_the_ends_are_irrational() -> None:
 
 def test_an_irrational_witness_is_exact() -> None:
     assert tresym.check("3 + 4*cos(x) + cos(2*x) > 0").witness in ({"x": "pi"}, {"x": "-pi"})
-
-
-# What the LaTeX of a claim says in print, and so what is decided.
-PROVED_OF_LATEX = cases(__file__, "PROVED_OF_LATEX")
-REFUTED_OF_LATEX = [
-    r"\sin\frac12 x = x\sin(1/2)",
-    r"\cos\frac{3}{2}\pi = \pi\cos(3/2)",
-    r"\tan\tfrac12\theta = \theta\tan(1/2)",
-    r"\sin\sqrt{2}x = x\sin\sqrt{2}",
-    r"\sin n\pi = \pi\sin n",
-    r"\sin 2(x+y) = (x+y)\sin 2",
-    r"\sin(x)y = \sin(xy)",
-    r"\frac{d}{dx} x^2\sin x = 2x\sin x",
-    r"\sqrt[3]{x^3} = |x|",
-    r"\sqrt[5]{x^5} = |x|",
-    r"a^2\cdot 10^2 = a^{200}",
-    r"x_{\text{max}} = x_{\text{min}}",
-    r"x_\mathrm{a} = x_{\mathrm{b}}",
-    r"E_{\text{rad}} = E",
-]
-
-
-@pytest.mark.parametrize("claim", PROVED_OF_LATEX)
-def test_latex_that_is_true_as_printed_is_proved(claim: str) -> None:
-    assert tresym.check(claim).verdict is Verdict.PROVED
-
-
-@pytest.mark.parametrize("claim", REFUTED_OF_LATEX)
-def test_latex_that_is_false_as_printed_is_refuted(claim: str) -> None:
-    assert tresym.check(claim).verdict is Verdict.REFUTED
 
 
 SHOWN = {

@@ -30,26 +30,6 @@ def test_it_is_refused(claim: str, advice: str) -> None:
         tresym.check(claim)
 
 
-@pytest.mark.parametrize(
-    "claim",
-    [
-        *(
-            "kr*x == x*kr given kr > 0",
-            "kr*x == x*kr given 0 < kr <= 1",
-            "x1 + y_max == y_max + x1",
-        ),
-        *(
-            "abs(dx) >= 0 given abs(dx) < 1",
-            "eps + alpha_0 == alpha_0 + eps",
-            "nn == nn given nn integer",
-        ),
-        "sin(xs) ~ xs as xs -> 0",
-    ],
-)
-def test_letters_greek_names_and_what_is_declared_are_read(claim: str) -> None:
-    assert tresym.check(claim)
-
-
 def test_conditions_that_are_repeated_hold_together(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", "x > 0", "--given", "x > 1", "--given", "x < 5"]) == 0
     assert "x > 1, x < 5" in capsys.readouterr().out
@@ -59,11 +39,6 @@ def test_conditions_that_are_repeated_hold_together(capsys: pytest.CaptureFixtur
 def test_names_in_a_file_are_refused_line_by_line(tmp_path: Path) -> None:
     (tmp_path / "claims").write_text("x**2 >= 0\n30 Degree == pi/6\n", encoding="utf-8")
     assert main(["check", "-f", str(tmp_path / "claims"), "--no-cache", "--json"]) == 2
-
-
-@pytest.mark.parametrize("claim", ["Log[2, 8] == 3", "log[2](8) == 3", "log(8, 2) == 3"])
-def test_the_base_of_a_logarithm_of_each_system(claim: str) -> None:
-    assert tresym.check(claim)
 
 
 def test_a_base_on_either_side_is_refused() -> None:

@@ -3,7 +3,6 @@
 import pytest
 from cases import cases
 
-import tresym
 from tresym.reals.decisions.claim_parsing import read
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.parsing import parse
@@ -48,26 +47,3 @@ def test_whether_something_is_said_of_every_n(e: str, lasting: bool) -> None:
     given = Given(((parse("n"), ">=", parse("0")),))
     (claim,) = read(f"{e} == 0").comparisons
     assert is_lasting((claim.left,), given, "n", "S") is lasting
-
-
-@pytest.mark.parametrize(
-    ("claim", "verdict"),
-    [
-        ("asin(R/R) == pi/2", "PROVED"),
-        ("asin(R/R) == pi", "REFUTED"),
-        ("acosh(x/x) == 0", "PROVED"),
-        ("sqrt(x - x) + y == y", "PROVED"),
-        ("sqrt(x - abs(x)) == 0 given x > 0", "PROVED"),
-        ("sqrt(x - abs(x)) == 1", "UNDECIDED"),
-        ("asin(x/x + 1/10) == pi/2", "UNDECIDED"),
-        ("asin(x/x)/(y - y) == pi/2", "UNDECIDED"),  # still nowhere defined
-        ("sqrt(x - x)/sqrt(x - x) == 1", "UNDECIDED"),
-        ("acos(x/x) == 0 given x < 0, x > 0", "UNDECIDED"),
-        ("asin(sign(x)) == pi/2", "REFUTED"),  # 1 on one side alone
-        ("asin(x/x) >= 2", "REFUTED"),
-        ("integral(sqrt(R**2 - x**2), x, 0, R) == pi*R**2/4 given R > 0", "PROVED"),
-        ("integral(sqrt(R**2 - x**2), x, 0, R) == pi*R**2/2 given R > 0", "REFUTED"),
-    ],
-)
-def test_an_operand_at_the_end_of_the_domain_everywhere(claim: str, verdict: str) -> None:
-    assert tresym.check(claim).verdict.value == verdict

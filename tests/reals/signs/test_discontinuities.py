@@ -147,12 +147,6 @@ def test_an_argument_that_vanishes_on_a_region_is_not_divided_by() -> None:
     assert [field.ring.at(i).kind for i in field.ring.used(value.num)] == ["opaque"]
 
 
-def test_a_function_that_is_differentiated_is_defined_at_the_witness() -> None:
-    """atanh(x) is not where sign(x - 2) jumps, though its derivative is."""
-    claim = "diff(atanh(x), x) == sign(x - 2)**2/(1 - x**2)"
-    assert tresym.check(claim).verdict is PROVED
-
-
 def test_a_sign_on_the_open_domain_is_weak_at_jumps() -> None:
     assert sign(parse("sign(x)**2 - 1"), Given()) == "<=0"
     assert sign(parse("sign(x)**2 - 1"), Given.parse("x > 0")) == "0"
@@ -170,14 +164,6 @@ def test_single_points_of_conditions_at_a_jump(left: str, right: str) -> None:
     """Where y is 0, x = 0 satisfies the condition and is no limit of other points."""
     found = decide(parse(left), parse(right), Given.parse("x**2*(x - 1) >= y"))
     assert found.verdict is UNDECIDED
-
-
-@pytest.mark.parametrize("claim", ["y >= 2", "abs(y - 1) == y - 1", "log(y + 1) > 0", "y != 0"])
-@pytest.mark.parametrize("jump", ["(x - sqrt(2))**2", "(x - 12347/99991)**2", "x - 12347/99991"])
-def test_a_condition_that_holds_at_its_jump_alone(claim: str, jump: str) -> None:
-    """At the jump y may be 0; of that no case can be made, for the other condition has ends."""
-    given = f"y >= 2*sign({jump})**2, y + z <= 10"
-    assert tresym.check(claim, given=given).verdict in (REFUTED, UNDECIDED)
 
 
 ARGUMENTS = st.sampled_from(
