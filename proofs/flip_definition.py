@@ -13,10 +13,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from tresym.proofs import flip_dynamics, regimes
+from tresym.proofs import flip_dynamics, regimes, separatrix
 from tresym.proofs.axioms import MOTION
 from tresym.proofs.conditions import STANDARD, shape
-from tresym.proofs.separatrix import d36, d37, one_flip_defect, stable_equation
 
 from tresym.ledger.vocabulary import *
 from tresym.racket.formulas import printed
@@ -73,7 +72,7 @@ integrand_at_the_top = Claim(
 )
 
 elementary_levels = Claim(
-    **jointly(d36, integrand_at_the_top, elementary_at_the_top),
+    **jointly(separatrix.d36, integrand_at_the_top, elementary_at_the_top),
 )
 
 not_elementary = Claim(
@@ -240,12 +239,12 @@ symmetric_maximum = Claim(
 )
 
 eps0_shape_only = Claim(
-    **jointly(one_flip_defect),
+    **jointly(separatrix.one_flip_defect),
     where=line(222),
 )
 
 d25 = Claim(
-    **jointly(d37, stable_equation, one_flip_defect),
+    **jointly(separatrix.d37, separatrix.stable_equation, separatrix.one_flip_defect),
     where=display(25),
     note="ε₀ (here ε) is its only root.",
 )

@@ -15,9 +15,8 @@ from dataclasses import replace
 from typing import Any
 
 from sympy import Mul, Pow
-from tresym.proofs import exponent, on_the_separatrix, sweeps
+from tresym.proofs import exponent, on_the_separatrix, separatrix, sweeps
 from tresym.proofs.conditions import shape
-from tresym.proofs.separatrix import defect_range, flip_defect
 
 from tresym.ledger.evidence.chart_bounds import Reading
 from tresym.ledger.evidence.remainders import Remainder
@@ -33,7 +32,7 @@ _sine, _cosine = sin(epsilon0), cos(epsilon0)
 _root = sqrt(1 + b / a * _sine**2)
 
 _tangent = tanh(sqrt(a * b) * P)
-_at_root = citing(flip_defect)
+_at_root = citing(separatrix.flip_defect)
 """That ε₀ lies between 0 and π/2."""
 
 phase = Claim(says=equal(P, pi + asin(_mu * _cosine)), given=shape, proof=Definition())
@@ -44,13 +43,13 @@ phase_equation = Claim(
     proof=(
         step(pi + asin(_mu * _cosine), substituting(phase)),
         step(pi + atan(_ratio * _cosine / _root), inverses, roots, trigonometry),
-        step(None, substituting(phase, flip_defect)),
+        step(None, substituting(phase, separatrix.flip_defect)),
     ),
 )
 phase_range = Claim(
     says=Tuple(pi <= P, 3 * pi / 2 >= P),
     given=shape,
-    proof=by(substituting(phase), citing(flip_defect)),
+    proof=by(substituting(phase), citing(separatrix.flip_defect)),
 )
 
 angle_of_tangent = Claim(
@@ -70,7 +69,7 @@ defect_by_phase = Claim(
         ),
         step(
             atan(sqrt(1 - _tangent**2) / (sqrt(1 + b / a) * _tangent)),
-            *(substituting(phase, flip_defect), _at_root, roots),
+            *(substituting(phase, separatrix.flip_defect), _at_root, roots),
         ),
         step(None, citing(phase_range), exponentials, roots),
     ),
@@ -86,7 +85,7 @@ phase_by_defect = Claim(
         step(asinh(_sinh) / sqrt(a * b), exponentials, inverses, roots),
         step(
             asinh(_share / sqrt(1 - _share**2)) / sqrt(a * b),
-            *(substituting(phase, flip_defect), _at_root, roots),
+            *(substituting(phase, separatrix.flip_defect), _at_root, roots),
         ),
         step(None, _at_root, roots, trigonometry),
     ),
@@ -96,7 +95,7 @@ quarter = (*shape, a * b >= Rational(1, 4))
 """ab ≥ 1/4, 0 < b ≤ 1."""
 _wait = pi + asin(_mu * _cosine)
 _time = asinh(sqrt(a / (a + b)) * _cosine / _sine)
-_in_range = citing(flip_defect, defect_range)
+_in_range = citing(separatrix.flip_defect, separatrix.defect_range)
 
 ratio_bounded = Claim(
     says=_ratio <= 2 * b,
@@ -164,7 +163,13 @@ defect_bounded = Claim(
     says=epsilon0 <= Rational(21, 50) - Rational(31, 100) * b,
     given=quarter,
     proof=Decided(
-        cited=(flip_defect, defect_range, ratio_bounded, time_is_long, time_by_b),
+        cited=(
+            separatrix.flip_defect,
+            separatrix.defect_range,
+            ratio_bounded,
+            time_is_long,
+            time_by_b,
+        ),
         variables=BY_RATIO,
     ),
     kind="bound",
@@ -172,7 +177,7 @@ defect_bounded = Claim(
 defect_between = Claim(
     says=Tuple(epsilon0 > 0, epsilon0 <= Rational(21, 50) - Rational(31, 100) * b),
     given=quarter,
-    proof=follows(by(citing(flip_defect)), all_of(defect_bounded)),
+    proof=follows(by(citing(separatrix.flip_defect)), all_of(defect_bounded)),
 )
 
 _turn = asin(_ratio * _sine**2 / (_cosine + _root))
@@ -196,7 +201,7 @@ turn_by_cosine = Claim(
     proof=by(inverses, roots, trigonometry),
 )
 
-_turn_at_root = Instance(turn_by_cosine, ((x, _cosine),), (flip_defect,))
+_turn_at_root = Instance(turn_by_cosine, ((x, _cosine),), (separatrix.flip_defect,))
 
 turn_at_root = Claim(says=_turn_at_root.says, given=shape, proof=_turn_at_root)
 
@@ -213,7 +218,7 @@ decay_at_root = Claim(
         step(sqrt((1 - _tangent) / (1 + _tangent)), exponentials, roots),
         step(
             sqrt((1 - _cosine / _root) / (1 + _cosine / _root)),
-            substituting(phase, flip_defect),
+            substituting(phase, separatrix.flip_defect),
             _at_root,
         ),
         step(None, _at_root, roots, trigonometry),
@@ -276,7 +281,7 @@ exponent_is_logarithm = Claim(
     proof=by(substituting(leading_by_defect), _at_root, exponentials),
 )
 
-ROOT = (flip_defect, defect_range)
+ROOT = (separatrix.flip_defect, separatrix.defect_range)
 BY_KAPPA = (b, 1 / sqrt(a * b))
 """The chart (b, κ): a = 1/(bκ²)."""
 AT_ROOT = (epsilon0, b, sqrt(b / a))
@@ -335,7 +340,7 @@ turn_of_phase = Claim(
     says=equal(_sweep_turn, P - pi),
     given=shape,
     proof=(
-        step(atan(_ratio * (_cosine / _root)), substituting(phase, flip_defect)),
+        step(atan(_ratio * (_cosine / _root)), substituting(phase, separatrix.flip_defect)),
         step(asin(_mu * _cosine), inverses, roots, trigonometry),
         step(None, substituting(phase)),
     ),
@@ -535,7 +540,7 @@ def too_small(
     limit: str,
     says: Callable[[Expr], Basic],
     label: str = "",
-    using: tuple[Claim, ...] = (flip_defect, leading_term, first_coefficient),
+    using: tuple[Claim, ...] = (separatrix.flip_defect, leading_term, first_coefficient),
     **point: Any,
 ) -> Claim:
     """``says`` with a smaller constant, which fails for some shape."""
@@ -649,7 +654,7 @@ four_readings, newton_beyond_four = _newton(
 
 # -- bounds for every shape ----------------------------------------------------------------------
 
-_everywhere = citing(flip_defect, defect_range)
+_everywhere = citing(separatrix.flip_defect, separatrix.defect_range)
 _sine0, _cosine0 = sin(epsilon0), cos(epsilon0)
 _root0 = sqrt(1 + b / a * _sine0**2)
 _turn0 = asin(sqrt(b / a) * _sine0**2 / (_cosine0 + _root0))
@@ -750,12 +755,12 @@ cotangent_at_root = Claim(
                 sqrt(a * b)
                 * (asinh(sqrt(a / (a + b)) * cos(epsilon0) / sin(epsilon0)) / sqrt(a * b))
             ),
-            *(roots, citing(flip_defect, defect_range)),
+            *(roots, citing(separatrix.flip_defect, separatrix.defect_range)),
         ),
         step(
             None,
             *(substituting(phase_by_defect), exponentials, inverses, roots),
-            citing(flip_defect, defect_range),
+            citing(separatrix.flip_defect, separatrix.defect_range),
         ),
     ),
 )
@@ -771,7 +776,9 @@ _small = Instance(on_the_separatrix.hyperbolic_sine_at_most, ((k, sqrt(a * b)),)
 sine_of_the_late = Claim(says=_small.says, given=_bounded, proof=_small)
 
 _below = Instance(
-    on_the_separatrix.angle_below_tangent, ((epsilon, epsilon0),), (flip_defect, defect_range)
+    on_the_separatrix.angle_below_tangent,
+    ((epsilon, epsilon0),),
+    (separatrix.flip_defect, separatrix.defect_range),
 )
 defect_below_tangent = Claim(says=_below.says, given=shape, proof=_below)
 
@@ -779,14 +786,19 @@ b_to_zero = Claim(
     says=Tuple(pi / 2 - epsilon0 > 0, pi / 2 - epsilon0 <= 56 * sqrt(1 + b / a) * sqrt(a * b)),
     given=_bounded,
     proof=follows(
-        by(citing(flip_defect)),
+        by(citing(separatrix.flip_defect)),
         (
             step(
                 (cos(epsilon0) / sin(epsilon0) - (pi / 2 - epsilon0))
                 + sqrt(1 + b / a) * (sinh(_late) - sinh(_soon))
                 + sqrt(1 + b / a) * (56 * sqrt(a * b) - sinh(_late)),
                 substituting(cotangent_at_root),
-                citing(sine_of_the_time, sine_of_the_late, defect_below_tangent, defect_range),
+                citing(
+                    sine_of_the_time,
+                    sine_of_the_late,
+                    defect_below_tangent,
+                    separatrix.defect_range,
+                ),
             ),
         ),
     ),

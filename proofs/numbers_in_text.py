@@ -20,12 +20,12 @@ from tresym.proofs import (
     orders,
     phase_portraits,
     regimes,
+    separatrix,
     turn_integral,
 )
 from tresym.proofs.conditions import STANDARD, defect, shape, shape_of_a_body, standard_racket
 from tresym.proofs.model import angular_velocity
 from tresym.proofs.printed import inputs, moments, number, share_of_pi
-from tresym.proofs.separatrix import defect_is_one, flip_defect, leading_defect, one_flip_defect
 from tresym.proofs.turning import chi, edge, longest_turn, one_turned_level, phase, raised
 
 from tresym.ledger.vocabulary import *
@@ -35,9 +35,9 @@ from tresym.reals.numbers.exact import as_rational
 
 STR = moments("str")
 """The standard racket's moments as Table 1 prints them."""
-EXACTLY = (euler_angles.d08, flip_defect, one_flip_defect)
+EXACTLY = (euler_angles.d08, separatrix.flip_defect, separatrix.one_flip_defect)
 """What ε₀ is, by the moments."""
-BY_FORMULA = (euler_angles.d08, leading_defect)
+BY_FORMULA = (euler_angles.d08, separatrix.leading_defect)
 """What ε₀ is by the asymptotic formula, by the moments."""
 
 # -- ε₀ of the standard racket --------------------------------------------------------------------
@@ -84,7 +84,7 @@ accuracy = number(
     epsilon_printed - epsilon0,
     "0.000",
     STR,
-    *(*EXACTLY, leading_defect),
+    *(*EXACTLY, separatrix.leading_defect),
     half_units=2,
     where=line(253),
 )
@@ -93,7 +93,7 @@ accuracy_relative = number(
     (epsilon_printed - epsilon0) / epsilon0,
     "0.000",
     STR,
-    *(*EXACTLY, leading_defect),
+    *(*EXACTLY, separatrix.leading_defect),
     half_units=2,
     where=line(253),
 )
@@ -265,7 +265,7 @@ threshold_impossible = Claim(
     kind="bound",
     means=Ge(_level.xreplace({epsilon: pi / 12}) + b * sin(pi / 12) ** 2, 0, evaluate=False),
     given=shape,
-    proof=Counterexample(STANDARD, (leading_defect,)),
+    proof=Counterexample(STANDARD, (separatrix.leading_defect,)),
     where=line(262),
     amended_by=(lower_level_exists, lower_level_unturned, lower_level),
     note="For the standard racket it lies below the least γ with which ψ = π/12 can be reached.",
@@ -274,7 +274,7 @@ threshold_impossible = Claim(
 # -- what the formula is said to show -------------------------------------------------------------
 
 _a1, _b1, _a2, _b2 = (Symbol(name, real=True) for name in ("a1", "b1", "a2", "b2"))
-_defect = TheRoot(*defect_is_one.statement.args)
+_defect = TheRoot(*separatrix.defect_is_one.statement.args)
 """ε₀, where it is asked for of several shapes."""
 _LESS = (_a1 > 0, _b1 > 0, _b1 <= 1, _a2 > 0, _b2 > 0, _b2 <= 1, _a1 * _b1 <= _a2 * _b2)
 """Two shapes, the first with the smaller product."""
@@ -294,7 +294,7 @@ larger_ab_smaller_eps0 = Claim(
     kind="bound",
     means=Ge(*_of_both(_defect), evaluate=False),
     given=_LESS,
-    proof=Counterexample(_shapes("1", "3/10", "10", "31/1000"), (defect_is_one,)),
+    proof=Counterexample(_shapes("1", "3/10", "10", "31/1000"), (separatrix.defect_is_one,)),
     where=line(251),
     amended_by=(monotonicity.monotonicity,),
     note="The statement is true at fixed a and at fixed b. Both shapes of the counterexample "
@@ -316,7 +316,7 @@ formula_shows_larger_ab = Claim(
 robustness_at_fixed_b = Claim(
     says=StrictlyIncreasing(1 / (4 * b * epsilon0), a),
     given=shape,
-    proof=MonotoneOf(monotonicity.monotonicity, (flip_defect,)),
+    proof=MonotoneOf(monotonicity.monotonicity, (separatrix.flip_defect,)),
     note="At fixed b the slope −1/(4bε₀) is the steeper the larger a is.",
 )
 
@@ -325,7 +325,7 @@ larger_ab_less_robust = Claim(
     kind="bound",
     means=Le(*_of_both(-turn_integral.closed_form.xreplace({epsilon: _defect})), evaluate=False),
     given=_LESS,
-    proof=Counterexample(_shapes("1", "1/100", "1", "3/10"), (defect_is_one,)),
+    proof=Counterexample(_shapes("1", "1/100", "1", "3/10"), (separatrix.defect_is_one,)),
     where=line(254),
     amended_by=(robustness_at_fixed_b,),
 )
@@ -491,7 +491,7 @@ separatrix_curve = Claim(
 tre_if_eps0_small = Claim(
     says=Tuple(Ge(pi - 2 * epsilon0, 5 * pi / 6), Le(pi - 2 * epsilon0, 7 * pi / 6)),
     given=(*shape, epsilon0 <= pi / 12),
-    proof=by(citing(flip_defect)),
+    proof=by(citing(separatrix.flip_defect)),
     where=line(291),
 )
 
@@ -507,14 +507,14 @@ nearly_hyperbolic = Claim(
             step(
                 log(epsilon0 * exp(pi * sqrt(a * b)) * 25 / 13) / pi,
                 exponentials,
-                citing(orders.remark1, flip_defect),
+                citing(orders.remark1, separatrix.flip_defect),
             ),
         ),
         (
             step(
                 -log(epsilon0 * exp(pi * sqrt(a * b)) * 100 / 201) / pi,
                 exponentials,
-                citing(orders.remark1, flip_defect),
+                citing(orders.remark1, separatrix.flip_defect),
             ),
         ),
         manifest,
@@ -529,7 +529,9 @@ hyperbolic_levels = Claim(
     kind="bound",
     means=equal(at(_defect, {a: _a1, b: _b1}), at(_defect, {a: _a2, b: _a1 * _b1 / _a2})),
     given=(_a1 > 0, _b1 > 0, _b1 <= 1, _a2 > 0, _a1 * _b1 <= _a2),
-    proof=Counterexample({"a1": fmpq(1), "b1": fmpq(3, 10), "a2": fmpq(10)}, (defect_is_one,)),
+    proof=Counterexample(
+        {"a1": fmpq(1), "b1": fmpq(3, 10), "a2": fmpq(10)}, (separatrix.defect_is_one,)
+    ),
     where=line(291),
     amended_by=(nearly_hyperbolic, monotonicity.monotonicity),
     note="The level curves decrease, as hyperbolas do, since ε₀ decreases with a and with b.",
@@ -540,7 +542,7 @@ flip_of_no_flip = number(
     epsilon0,
     "1.2573",
     inputs(a=1, b=Rational(1, 100)),
-    *(flip_defect, one_flip_defect),
+    *(separatrix.flip_defect, separatrix.one_flip_defect),
     where=line(318),
     note="Hence the effect needs constraints on the moments, as the conclusion of the paper says.",
 )

@@ -271,6 +271,22 @@ through_a_pole: integral(1/t, t, -1, 1) == log(1) - log(-1 + 2) [antiderivative 
     assert true == {"changed", "cut", "put_in"}
 
 
+def test_what_is_known_is_shown_first(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """also: integral(1/sqrt(1 - t**2), t, -c, c) == 2*asin(c) [antiderivative asin(t)]
+  given c > 0, c < 1 - a, a > 0
+  knowing (1 - t**2 > 0 given (t + c)*(c - t) >= 0)
+unknown: integral(1/sqrt(1 - t**2), t, 0, c) == asin(c) [antiderivative asin(t)]
+  given c > 0 knowing (1 - t**2 > 0 given t*(c - t) >= 0)
+false: x > 1 given x > 0 knowing x > 1
+""",
+    )
+    found = verdicts(part)
+    assert found["also"] == "PROVED"
+    assert "PROVED" not in (found["unknown"], found["false"])
+
+
 def test_what_an_equation_defines(tmp_path: Path) -> None:
     part = read(
         tmp_path,

@@ -73,6 +73,7 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.signs.definedness import continuous_on, undefined
 from tresym.reals.signs.interior import is_zero, jumps
 from tresym.reals.signs.sign import proof
+from tresym.reals.signs.sign import sign as sign_of
 from tresym.reals.verdict import Verdict
 
 Check = Callable[[Any], Answer]
@@ -460,8 +461,7 @@ class _Deciding:
 
     def signs_at_the_ends(self, search: _Solutions) -> list[Answer]:
         """The obligations that the difference has opposite signs near the ends."""
-        claim = search.claim
-        length = [] if search.is_unbounded else [self.asked(search.length, claim.given)]
+        length = [] if search.is_unbounded else [self.has_length(search)]
         best: list[Answer] = []
         for signs in (("<", ">"), (">", "<")):
             if length and not length[0]:
@@ -474,6 +474,12 @@ class _Deciding:
                     return tried
             best = max(tried, best, key=lambda row: sum(map(bool, row)))
         return best
+
+    def has_length(self, search: _Solutions) -> Answer:
+        low, _, high = search.length
+        if sign_of(high - low, search.plain, dear=False) == "+":
+            return Answer(Verdict.PROVED, "by its sign", read_as=chained((search.length,)))
+        return self.asked(search.length, search.claim.given)
 
     def near_end(self, search: _Solutions, n: int, sign: str) -> Answer:
         """Decide the sign near an end: of the value there, or in the limit."""

@@ -25,6 +25,8 @@ This is how each line is understood:
 - ``use x from FILE`` takes claims, conditions or expressions from another part of the paper, be it
   a file or a module of Python, and functions of formulas that programs run. Where the value of a
   function ``f(x)`` is a vector, its components are ``f_1(x)``, ``f_2(x)``, and so on.
+- ``knowing x > 0, (y > 0 given 0 < y)`` names inequalities that are shown first, each with those
+  before it, and are used then, those with conditions of their own for variables of integrals.
 - ``using label, label`` names the claims above on which a claim rests: what is an equation is put
   in, other comparisons become conditions.
 - ``let name: y := root of label, condition`` defines y as the only root of which a claim ``exactly
@@ -185,7 +187,7 @@ _CLASS = {sign: getattr(sympy, name) for name, sign in RELATIONS.items()}
 _COUNTS = {"exactly one": ExactlyOne, "at most one": AtMostOne}
 _EQUILIBRIA = {"stable": StableEquilibrium, "unstable": UnstableEquilibrium}
 _SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
-_CLAUSES = ("given", "using", "expect", "at", "instead", "as")
+_CLAUSES = ("given", "using", "knowing", "expect", "at", "instead", "as")
 _HINTS = ("with", "by slope", "by residual", "dominated by", "shown by")
 """Clauses that name the method by which a claim is shown."""
 _REMARK = re.compile(
@@ -280,7 +282,7 @@ class _Waiting:
 class _Reader(Reader):
     """Read each line as it is in any file, but make claims of the ledger of it."""
 
-    clause = rf"\s(?:{'|'.join(_HINTS)})\s+|{CLAUSE}".replace(" ", r"\s+")
+    clause = rf"\s(?:{'|'.join(('knowing', *_HINTS))})\s+|{CLAUSE}".replace(" ", r"\s+")
 
     def __init__(self, path: Path, others: Callable[[str], Mapping[str, Any]], text: str) -> None:
         super().__init__(path.name, path.parent)
@@ -613,9 +615,17 @@ class _Reader(Reader):
             if shown is not None and (values or steps):
                 raise InputError("what is shown by a method has no steps, and no point")
             fields["proof"] = shown or _evidence(uses, (says, *given), steps, values)
+            facts = self._facts(clauses.get("knowing", ""))
+            if facts and not isinstance(fields["proof"], Decided):
+                raise InputError("'knowing' names what the engine is to show first")
+            fields["knowing"] = facts
             if shown is None or "expect" in clauses:
                 fields["expect"] = _expected(expect, fields["proof"], uses)
         self._state(line, label, place, fields)
+
+    def _facts(self, text: str) -> tuple[Basic, ...]:
+        """Inequalities, each of which may have conditions of its own."""
+        return tuple(self._says(part.strip()) for part in split(text, ",") if part.strip())
 
     def _clause_free(self, written: str) -> str:
         """The formula of a claim with the words in brackets behind its steps."""

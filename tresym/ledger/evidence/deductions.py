@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from functools import lru_cache
 from itertools import islice
 
 from flint import fmpq
@@ -40,6 +41,7 @@ from sympy import (
 from sympy.core.relational import Ge, Gt, Le, Lt, Relational
 
 from tresym.asymptotics.order_claims import decide_order
+from tresym.checking.dispatch import decide_claim
 from tresym.ledger.claim import (
     Chain,
     Claim,
@@ -57,6 +59,7 @@ from tresym.ledger.claim import (
     parts_of,
 )
 from tresym.ledger.conversion import (
+    REMEMBERED,
     CircularError,
     Conditions,
     conditions,
@@ -73,7 +76,7 @@ from tresym.ledger.evidence.at_point import place_of
 from tresym.ledger.evidence.chain import check_chain, instantiated
 from tresym.ledger.evidence.decided import Decided, judge_decided
 from tresym.ledger.evidence.integrals import NotShownError, need, need_smooth, with_bounds
-from tresym.ledger.evidence.sign_prover import is_manifest, manifest_sign
+from tresym.ledger.evidence.sign_prover import continuous_on, is_manifest, manifest_sign
 from tresym.ledger.finding import Finding, StepFinding
 from tresym.ledger.judged_roots import without
 from tresym.ledger.reasons import citing, exponentials, roots
@@ -93,12 +96,13 @@ from tresym.ledger.statements import (
     StrictlyIncreasing,
     Under,
 )
+from tresym.reals.decisions.claim_parsing import stated
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.expression import ONE, ZERO, Expr, substitute, symbols
+from tresym.reals.language.expression import ONE, ZERO, Expr, substitute, symbol, symbols
 from tresym.reals.language.formula import Relation
 from tresym.reals.language.paths import Path
 from tresym.reals.language.to_sympy import to_sympy
@@ -222,9 +226,8 @@ class _Zero:
         need(isinstance(proof, Root), f"{root.label} does not define a root")
         assert isinstance(proof, Root)
         unique, one = proof.unique.statement, proof.unique.proof
-        need(isinstance(unique, ExactlyOne) and isinstance(one, UniqueRoot), "no root is defined")
+        need(isinstance(unique, ExactlyOne), "no root is defined")
         assert isinstance(unique, ExactlyOne)
-        assert isinstance(one, UniqueRoot)
         values, plain = _values(claim)
         self.values = {symbol.name: tree(value) for symbol, value in values.items()}
         self.symbol, self.given = proof.symbol, conditions(plain)
@@ -242,17 +245,43 @@ class _Zero:
             )
             shown = here in self.given or is_manifest(here, self.given)
             need(shown, f"{root.label} defines {proof.symbol} only where {condition}")
+        free = without(self.variable, asked)
+        if not isinstance(one, UniqueRoot):
+            self.rises = _direction(*map(tree, sides), self.variable, free)
+            return
         v = tree(unique.variable)
-        inside = (*without(self.variable, asked), Relation(v, ">", self.low))
+        inside = (*free, Relation(v, ">", self.low), Relation(v, "<", self.high))
         last = one.derivative[-1].expression
         need(last is not None, "the sign of the derivative is not known")
-        sign = manifest_sign(tree(last), (*inside, Relation(v, "<", self.high)))
+        sign = manifest_sign(tree(last), inside)
         need(sign in ("+", "-"), "could not show the sign of the derivative of the function")
         self.rises = 1 if sign == "+" else -1
 
     def at(self, e: Expr, value: Expr) -> Expr:
         """Return ``e`` with the value in place of the variable."""
         return substitute(e, {self.variable: value})
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _direction(h: Expr, low: Expr, high: Expr, name: str, given: Conditions) -> int:
+    """Return 1 if ``h``, which has one zero between the ends, is negative below it, else -1.
+
+    It is continuous, so that it has one sign below its zero and one above, those at the ends.
+
+    Raises:
+        NotShownError: continuity or the signs at the ends are not shown.
+    """
+    x = symbol(name)
+    gap = continuous_on(h, (*given, Relation(x, ">=", low), Relation(x, "<=", high)))
+    need(gap is None, f"could not show that {gap} stays away from its singularity")
+    asked = tuple((c.left, c.sign, c.right) for c in given)
+    for way, signs in ((1, "<>"), (-1, "><")):
+        ends = (
+            (substitute(h, {name: e}), s, ZERO) for e, s in zip((low, high), signs, strict=True)
+        )
+        if all(decide_claim(stated((link,), asked)).verdict is PROVED for link in ends):
+            return way
+    raise NotShownError("could not show the signs of the function at the ends")
 
 
 def judge_root_bound(claim: Claim, proof: RootBound) -> Finding:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from tresym.ledger.claim import Claim, Definition, Reason, by, with_reasons
+from tresym.ledger.claim import Claim, Definition, Reason, with_reasons
 from tresym.ledger.conversion import conditions, defined
 from tresym.ledger.evidence.chain import unmet_condition
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.integrals import RULES
-from tresym.ledger.reasons import citing, substituting
+from tresym.ledger.reasons import citing
 from tresym.ledger.statements import Under
+from tresym.reals.verdict import Verdict
 
 
 def facts_of(claim: Claim) -> tuple[Claim, ...]:
@@ -29,8 +31,10 @@ def facts_of(claim: Claim) -> tuple[Claim, ...]:
             for c in behind
             if defined(c) & names and unmet_condition(c, {}, conditions(given)) is None
         ]
-        why = by(substituting(*meant), citing(*found))
-        found.append(Claim(f"{claim.label}, fact {n}", says, why, given=given))
+        why = Decided(tuple(meant), tuple(found))
+        found.append(
+            Claim(f"{claim.label}, fact {n}", says, why, given=given, expect=Verdict.PROVED)
+        )
     return tuple(found)
 
 
@@ -40,4 +44,13 @@ def by_facts(claim: Claim, facts: tuple[Claim, ...]) -> Claim:
     def known(reason: Reason) -> Reason:
         return replace(reason, claims=(*facts, *reason.claims)) if reason.name in RULES else reason
 
-    return replace(claim, knowing=(), proof=with_reasons(claim.proof, known, citing(*facts)))
+    proof = claim.proof
+    if isinstance(proof, Decided):
+        chains = (
+            tuple(replace(link, reasons=tuple(map(known, link.reasons))) for link in chain)
+            for chain in proof.steps
+        )
+        return replace(
+            claim, knowing=(), proof=replace(proof, cited=(*facts, *proof.cited), steps=(*chains,))
+        )
+    return replace(claim, knowing=(), proof=with_reasons(proof, known, citing(*facts)))
