@@ -10,7 +10,7 @@ from tresym.ledger.evidence.local_facts import by_facts, facts_of
 from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
 from tresym.ledger.paper import all_claims
-from tresym.ledger.reasons import citing, integrating, roots, substituting
+from tresym.ledger.reasons import citing, integrating, roots
 from tresym.ledger.statements import Under
 from tresym.reals.verdict import Verdict
 
@@ -86,10 +86,10 @@ def test_a_fact_is_about_what_its_symbols_are_defined_to_be() -> None:
         assert judge(claim, held).verdict is verdict
         (fact,) = facts_of(claim)
         shown = verdict is Verdict.PROVED
-        assert fact.proof == by(substituting(*((meant,) if shown else ())), citing())
+        assert fact.proof.put == ((meant,) if shown else ())
     other = Claim("other", equal(y, 2), by(), given=(x > 0,))
     cited = Claim("user", says, (step(y, citing(other)),), given=(x > 0,), knowing=(y > 0,))
-    assert facts_of(cited)[0].proof == by(substituting(), citing())
+    assert facts_of(cited)[0].proof.put == ()
 
 
 def test_a_fact_rests_on_those_before_it() -> None:
