@@ -85,7 +85,7 @@ def parts(claim: Claim) -> list[tuple[sympy.Basic, Chain]]:
     if isinstance(proof, UniqueRoot):
         slope = sympy.Derivative(claim.statement.difference, claim.statement.variable)
         return [(equal(slope, proof.derivative[-1].expression), proof.derivative)]
-    if isinstance(proof, ImplicitFunction):
+    if isinstance(proof, ImplicitFunction) and proof.slope:
         left = proof.equation.says.lhs.xreplace({proof.parameter: proof.at})
         slope = sympy.Derivative(left, proof.unknown)
         return [(equal(slope, proof.slope[-1].expression), proof.slope)]

@@ -16,8 +16,6 @@ A hint names a method, and never a result: each of them is judged as any evidenc
   have coordinates and margins (:mod:`tresym.ledger.evidence.chart_bounds`).
 - ``variables r == sqrt(b/a), a == b/r**2, r > 0``: the statement is decided in other variables. New
   ones are functions of those of the claim, and what they replace is a function of the new ones.
-- ``antiderivative F``: F is a function of the variable of an integral whose derivative is that of
-  the integral.
 - ``LABEL solved for y(c), c == x``: LABEL is an equation for y in which c may vary; the claim
   defines a new symbol as dy/dc at c = x (implicit function theorem).
 - ``derivative LABEL from START``: f > 0 where x > p, as LABEL says that the derivative of f by x is
@@ -48,20 +46,17 @@ from tresym.ledger.claim import (
     ImplicitFunction,
     InfimumBy,
     MonotoneOf,
-    by,
 )
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charts
 from tresym.ledger.evidence.decided import Decided, InVariables
 from tresym.ledger.evidence.interval_evaluation import Evaluated
-from tresym.ledger.reasons import algebra, exponentials, integrating, inverses, roots, trigonometry
 from tresym.reals.language.brackets import split
 from tresym.reals.numbers.exact import InputError
 
 _BOXES = re.compile(r"(stored\s+)?boxes")
 _CHARTS = re.compile(r"charts\s+(\w+)")
 _VARIABLES = re.compile(r"variables\s+(.+)", re.DOTALL)
-_ANTIDERIVATIVE = re.compile(r"antiderivative\s+(.+)", re.DOTALL)
 _IS = re.compile(r"(\w+)\s*==\s*(.+)", re.DOTALL)
 _SLOPE = re.compile(r"derivative\s+([\w-]+)\s+from\s+([\w-]+)")
 _EDGE = re.compile(r"([\w-]+)\s+from\s+(\w+)\s*==\s*(.+?)\s+in\s+([\w-]+)")
@@ -127,11 +122,6 @@ def way_to_show(text: str, line: Line) -> Evidence:
         return _charted(match[1], line)
     if match := _VARIABLES.fullmatch(text):
         return replace(line.decided, variables=_variables(match[1], line))
-    if match := _ANTIDERIVATIVE.fullmatch(text):
-        if line.uses:
-            raise InputError("an antiderivative is differentiated, and no claim is used")
-        theories = (algebra, exponentials, inverses, roots, trigonometry)
-        return by(integrating(line.expression(match[1])), *theories)
     if match := _COMPOSED.fullmatch(text):
         return MonotoneOf(line.claim(match[1]), line.uses)
     if match := _APPROACHED.fullmatch(text):
