@@ -148,6 +148,73 @@ Proof.
   - destruct (sum_falls f F low D M n); lra.
   - destruct (sum_rises f F low D M n); lra.
 Qed.
+
+(* The trapezoids of Euler and Maclaurin: where the slope of f rises or falls, a sum differs from its
+   integral and half of the values at the ends by at most half of the change of that slope. *)
+Lemma trapezoid_step (f F f1 : R -> R) a : (forall y, a <= y <= a + 1 -> is_derive F y (f y)) ->
+  (forall y, a <= y <= a + 1 -> is_derive f y (f1 y)) ->
+  (forall x y, a <= x -> x <= y -> y <= a + 1 -> f1 x <= f1 y) ->
+  Rabs (F (a + 1) - F a - (f a + f (a + 1)) / 2) <= (f1 (a + 1) - f1 a) / 2.
+Proof.
+  intros D D1 M; pose proof (M a (a + 1) ltac:(lra) ltac:(lra) ltac:(lra)) as W.
+  destruct (MVT_gen (fun t : R => F (a + t) - F a - t * ((f a + f (a + t)) / 2)) 0 1
+    (fun t => f (a + t) - (f a + f (a + t)) / 2 - t * (f1 (a + t) / 2))) as [c [C E]].
+  - intros t T; rewrite Rmin_left, Rmax_right in T by lra.
+    pose proof (D (a + t) ltac:(lra)) as X; pose proof (D1 (a + t) ltac:(lra)) as Y.
+    auto_derive; [repeat split; eexists; eassumption |].
+    replace (Derive (fun x : R => F x) (a + t)) with (f (a + t)) by (symmetry; apply is_derive_unique, X).
+    replace (Derive (fun x : R => f x) (a + t)) with (f1 (a + t)) by (symmetry; apply is_derive_unique, Y).
+    field.
+  - intros t T; rewrite Rmin_left, Rmax_right in T by lra; apply continuity_pt_filterlim.
+    apply (ex_derive_continuous (fun t : R => F (a + t) - F a - t * ((f a + f (a + t)) / 2))).
+    pose proof (D (a + t) ltac:(lra)) as X; pose proof (D1 (a + t) ltac:(lra)) as Y.
+    auto_derive; repeat split; eexists; eassumption.
+  - rewrite Rmin_left, Rmax_right in C by lra; rewrite Rplus_0_r in E.
+    replace (F (a + 1) - F a - (f a + f (a + 1)) / 2)
+      with (f (a + c) - (f a + f (a + c)) / 2 - c * (f1 (a + c) / 2)) by lra.
+    destruct (MVT_gen f a (a + c) f1) as [d [I G]].
+    + intros t T; rewrite Rmin_left, Rmax_right in T by lra; apply D1; lra.
+    + intros t T; rewrite Rmin_left, Rmax_right in T by lra.
+      apply continuity_pt_filterlim, (ex_derive_continuous f t); exists (f1 t); apply D1; lra.
+    + rewrite Rmin_left, Rmax_right in I by lra.
+      pose proof (M a d ltac:(lra) ltac:(lra) ltac:(lra)); pose proof (M d (a + c) ltac:(lra) ltac:(lra) ltac:(lra)).
+      pose proof (M (a + c) (a + 1) ltac:(lra) ltac:(lra) ltac:(lra)).
+      replace (f (a + c) - (f a + f (a + c)) / 2 - c * (f1 (a + c) / 2))
+        with (- (c * (f1 (a + c) - f1 d)) / 2) by (replace (a + c - a) with c in G by ring; lra).
+      assert (0 <= c * (f1 (a + c) - f1 d) <= f1 (a + 1) - f1 a) by (split; nra); apply Rabs_le; lra.
+Qed.
+Lemma trapezoids (f F f1 : R -> R) (low : nat) : (forall y, INR low <= y -> is_derive F y (f y)) ->
+  (forall y, INR low <= y -> is_derive f y (f1 y)) ->
+  (forall x y, INR low <= x -> x <= y -> f1 x <= f1 y) -> forall n,
+  Rabs (terms (fun k => f (INR k)) low (S n) - (F (INR (low + n)) - F (INR low))
+    - (f (INR low) + f (INR (low + n))) / 2) <= (f1 (INR (low + n)) - f1 (INR low)) / 2.
+Proof.
+  intros D D1 M n; induction n as [|n IH].
+  - rewrite Nat.add_0_r; simpl terms; rewrite Nat.add_0_r; apply Rabs_le; lra.
+  - rewrite (terms_first _ low (S n)), Nat.add_succ_r, S_INR.
+    assert (B : INR low <= INR (low + n)) by (apply le_INR; lia).
+    pose proof (trapezoid_step f F f1 (INR (low + n)) ltac:(intros; apply D; lra)
+      ltac:(intros; apply D1; lra) ltac:(intros; apply M; lra)) as T.
+    apply Rabs_le_between in IH; apply Rabs_le_between in T; apply Rabs_le; lra.
+Qed.
+Lemma trapezoids_near (f F f1 : R -> R) (low : nat) : (forall y, INR low <= y -> is_derive F y (f y)) ->
+  (forall y, INR low <= y -> is_derive f y (f1 y)) ->
+  (forall x y, INR low <= x -> x <= y -> f1 y <= f1 x) \/ (forall x y, INR low <= x -> x <= y -> f1 x <= f1 y) ->
+  forall n m, (low + n)%nat = m ->
+  Rabs (terms (fun k => f (INR k)) low (S n) - (F (INR m) - F (INR low) + (f (INR low) + f (INR m)) / 2))
+    <= Rabs (f1 (INR low)) + Rabs (f1 (INR m)).
+Proof.
+  intros D D1 M n m <-; pose proof (Rle_abs (f1 (INR low))); pose proof (Rle_abs (f1 (INR (low + n)))).
+  pose proof (Rabs_maj2 (f1 (INR low))); pose proof (Rabs_maj2 (f1 (INR (low + n)))).
+  destruct M as [M | M].
+  - pose proof (trapezoids (fun y => - f y) (fun y => - F y) (fun y => - f1 y) low
+      ltac:(intros; apply (d_opp F); auto) ltac:(intros; apply (d_opp f); auto)
+      ltac:(intros x y X Y; specialize (M x y X Y); lra) n) as T.
+    assert (E : forall k, terms (fun k => - f (INR k)) low k = - terms (fun k => f (INR k)) low k).
+    { induction k as [|k IH]; [simpl; ring | rewrite !terms_first, IH; ring]. }
+    rewrite E in T; apply Rabs_le_between in T; apply Rabs_le; lra.
+  - pose proof (trapezoids f F f1 low D D1 M n) as T; apply Rabs_le_between in T; apply Rabs_le; lra.
+Qed.
 Section Sums.
 Implicit Types (s u v w g : nat -> R).
 Lemma O_sum s u v w g : eventually (fun n => Rabs (s n - u n) <= Rabs (v n) + Rabs (w n)) ->

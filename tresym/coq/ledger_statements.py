@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from hashlib import sha256
@@ -20,6 +20,7 @@ from typing import TypeAlias
 from sympy import Basic
 
 from tresym.coq.implicit_statements import Implicit
+from tresym.coq.solution_statements import Along
 from tresym.coq.statement import (
     Condition,
     Every,
@@ -47,13 +48,14 @@ from tresym.ledger.claim import (
     Printed,
     Root,
     RootMonotone,
+    parts_of,
 )
 from tresym.ledger.conversion import conditions
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.deductions import parts_under
 from tresym.ledger.evidence.refutation import denied_part
 from tresym.ledger.paper import file_of
-from tresym.ledger.statements import Rounds
+from tresym.ledger.statements import Conserved, Rounds
 from tresym.reals.language import sympy as sympy_reader
 from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import (
@@ -99,7 +101,7 @@ class Joint:
         return f"Theorem {self.name} :\n{self.body}."
 
 
-Exported: TypeAlias = Theorem | Joint | Implicit
+Exported: TypeAlias = Theorem | Joint | Implicit | Along
 """The theorem of a claim."""
 
 
@@ -140,10 +142,7 @@ def _theorem_of(claim: Claim) -> Exported:
     if isinstance(proof, ImplicitFunction):
         return _implicit(claim, proof)
     if isinstance(proof, Root):
-        raise NotExportedError(
-            "the definition of a root has no theorem of its own; it is a premise of the theorems "
-            "about that root"
-        )
+        return Joint(name_of(claim.label), (proof.unique,))  # there is exactly one
     if isinstance(proof, Definition) and proof.assumes:
         raise NotExportedError(
             "an assumption has no theorem of its own; it is a premise of the theorems that use it"
@@ -162,6 +161,8 @@ def _theorem_of(claim: Claim) -> Exported:
     if statement is None:
         raise NotExportedError("a sentence without a formula cannot be exported to Coq")
     try:
+        if (kept := parts_of(statement)) and all(isinstance(e, Conserved) for e in kept):
+            return _along(claim, kept)
         if type(statement).__name__ == "As":
             return tending(claim, statement)
         if type(statement).__name__ == "ForSome" and claim.expect is Verdict.REFUTED:
@@ -183,6 +184,31 @@ def _theorem_of(claim: Claim) -> Exported:
         raise NotExportedError(
             f"the statement cannot be converted to real expressions ({error})"
         ) from None
+
+
+def _along(claim: Claim, kept: Sequence[Basic]) -> Along:
+    """Return that quantities are constant along the solutions of their common system."""
+    (system,) = {(e.args[1], e.args[2]) for e in kept}
+    unknowns = tuple(x.name for x in system[0].args)
+    rates = tuple(map(sympy_reader.unworked, system[1].args))
+    quantities = tuple(sympy_reader.unworked(e.args[0]) for e in kept)
+    given = conditions_of(claim.given)
+    there = [c for c in given if free(c) & {*unknowns}]
+    whole = [*rates, *quantities, *(side for c in given for side in (c.left, c.right))]
+    parts = dict.fromkeys(part for e in whole for part in defined(e) if symbols(part[0]))
+    names = frozenset().union(*map(symbols, whole)) - {*unknowns}
+    if definitions(claim, names)[0]:
+        raise NotExportedError("a system with defined symbols is not exported to Coq yet")
+    return Along(
+        name_of(claim.label),
+        tuple(sorted(names)),
+        tuple((c.left, c.sign, c.right) for c in given if c not in there),
+        unknowns,
+        rates,
+        tuple((c.left, c.sign, c.right) for c in there),
+        tuple(parts),
+        quantities,
+    )
 
 
 def _is_their_conjunction(claim: Claim) -> bool:

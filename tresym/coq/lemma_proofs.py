@@ -29,6 +29,7 @@ from tresym.coq.ledger_statements import (
     theorem_of,
 )
 from tresym.coq.reductions import known
+from tresym.coq.solution_statements import Along, constancy
 from tresym.coq.statement import (
     FUNCTIONS,
     Formula,
@@ -79,6 +80,9 @@ def plans(claim: Claim, whole: Exported) -> Iterator[Plan]:
         )
     if isinstance(whole, Implicit):
         return  # none is generated
+    if isinstance(whole, Along):
+        yield Plan((), constancy(whole))
+        return
     if whole.exists:
         yield from (Plan((), script) for script in point_proofs(claim, whole))
     else:

@@ -2,6 +2,9 @@
 
 Where F' = f and f rises or falls, |f(1) + ... + f(n) - (F(n) - F(1))| <= |f(1)| + |f(n)|. So
 `sum(1/k, k, 1, n) == log(n) + O(1)` follows from orders of 1, 1/n and log(n) - log(1) - log(n).
+Where f' rises or falls, half of the first and last terms, (f(1) + f(n))/2, belongs to the integral,
+and |f'(1)| + |f'(n)| bounds what is left, by the formula of Euler and Maclaurin of first order:
+`sum(log(k), k, 1, n) == n*log(n) - n + log(n)/2 + O(1)`.
 Where g rises to infinity, the sum divided by g(n) has the limit of f(n + 1)/(g(n + 1) - g(n)):
 `sum(k^2, k, 1, n)/n^3 -> 1/3`.
 """
@@ -10,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from fractions import Fraction
 
 from tresym.coq.bound_statements import BoundTheorem, naturally, sides_of, sums_in
 from tresym.coq.claim_export import theorem as plain_theorem
@@ -32,6 +36,7 @@ from tresym.reals.language.expression import (
     factors_in,
     fresh,
     multiply,
+    number,
     power,
     replaced,
     substitute,
@@ -140,79 +145,101 @@ def _by_integral(theorem: BoundTheorem, head: str, node: Expr, prove: Prove) -> 
     rest = replaced(claim.left, {node: ZERO}) - (claim.right if claim.relation == "~" else ZERO)
     law = "O_sum" if claim.relation == "O" else "o_sum"
     for whole in suggested(f, n, frozenset({n})):
-        lemmas = _lemmas(f, whole, n, low, given.comparisons, prove)
-        if lemmas is None:
+        slope = _slope("slope", whole, f, n, low, given.comparisons, prove)
+        if slope is None:
             continue
-        main = tidied(folded(whole - substitute(whole, {n: low}) + rest))
-        main = ZERO if normal_form(main, given) == ZERO else main
-        bounds = (main, folded(substitute(f, {n: low})), f)
-        orders = [_order(theorem, e, law[0]) for e in (bounds[1], bounds[2], bounds[0])]
-        if None in orders:
-            continue
-        shown = [f"(fun {v} : nat => {term(naturally(e, {n}))})" for e in (*bounds, claim.right)]
-        left, right = sides_of(theorem)
-        s = (
-            f"(fun {v} : nat => {left} - ({right}))"
-            if claim.relation == "~"
-            else (f"(fun {v} : nat => {left})")
-        )
-        count = f"({v} - 1)" if low != ZERO else v
-        near = (
-            f"exists 1%nat; intros {v} N; cbv beta; assert (0 < INR {v}) by (apply lt_0_INR; lia); "
-            f"pose proof (sum_near _ _ {term(low)} slope_ mono_ {count}%nat {v} ltac:(lia)) as B; "
-            f"cbn [INR] in B; cbv beta in B; "
-            f"replace (S {count}) with ({v}{' + 1' if low == ZERO else ''})%nat in B by lia; "
-            "eapply Rle_trans; [right; apply f_equal | eapply Rle_trans; "
-            "[exact B | right; apply f_equal2; apply f_equal]]; sum_equal."
-        )
-        steps = "".join(f"\n{{ {script} }}" for script in (near, *map(str, orders)))
-        last = f"apply ({law} {s} {' '.join(shown)}).{steps}"
-        split = "".join(f"split.\n{{ {script} }}\n" for script in _defined(theorem))
-        yield f"{lemmas}\n{head}{split}{last}"
+        for trapezoids in (False, True):
+            end = differentiate(f, n) if trapezoids else f
+            lemmas = _lemmas(f, end, n, low, given.comparisons, prove)
+            if lemmas is None:
+                continue
+            difference = whole - substitute(whole, {n: low}) + rest
+            if trapezoids:
+                difference += (f + substitute(f, {n: low})) * number(Fraction(1, 2))
+            main = tidied(folded(difference))
+            main = ZERO if normal_form(main, given) == ZERO else main
+            bounds = (main, folded(substitute(end, {n: low})), end)
+            orders = [_order(theorem, e, law[0]) for e in (bounds[1], bounds[2], bounds[0])]
+            if None in orders:
+                continue
+            shown = [
+                f"(fun {v} : nat => {term(naturally(e, {n}))})" for e in (*bounds, claim.right)
+            ]
+            left, right = sides_of(theorem)
+            s = (
+                f"(fun {v} : nat => {left} - ({right}))"
+                if claim.relation == "~"
+                else (f"(fun {v} : nat => {left})")
+            )
+            count = f"({v} - 1)" if low != ZERO else v
+            used = "trapezoids_near _ _ _" if trapezoids else "sum_near _ _"
+            slopes = "slope_ bend_" if trapezoids else "slope_"
+            near = (
+                f"exists 1%nat; intros {v} N; cbv beta; "
+                f"assert (0 < INR {v}) by (apply lt_0_INR; lia); "
+                f"pose proof ({used} {term(low)} {slopes} mono_ {count}%nat {v} ltac:(lia)) as B; "
+                f"cbn [INR] in B; cbv beta in B; "
+                f"replace (S {count}) with ({v}{' + 1' if low == ZERO else ''})%nat in B by lia; "
+                "eapply Rle_trans; [right; apply f_equal | eapply Rle_trans; "
+                "[exact B | right; apply f_equal2; apply f_equal]]; sum_equal."
+            )
+            steps = "".join(f"\n{{ {script} }}" for script in (near, *map(str, orders)))
+            last = f"apply ({law} {s} {' '.join(shown)}).{steps}"
+            split = "".join(f"split.\n{{ {script} }}\n" for script in _defined(theorem))
+            yield f"{slope}\n{lemmas}\n{head}{split}{last}"
 
 
-def _lemmas(
-    f: Expr,
-    whole: Expr,
-    n: str,
-    low: Expr,
-    given: tuple[tuple[Expr, str, Expr], ...],
-    prove: Prove,
+Conditions = tuple[tuple[Expr, str, Expr], ...]
+
+
+def _slope(
+    name: str, whole: Expr, f: Expr, n: str, low: Expr, given: Conditions, prove: Prove
 ) -> str | None:
-    """Return the proofs that ``whole`` has the derivative f, and that f falls or rises."""
-    x = symbol(n)
+    """Return the proof that ``whole`` has the derivative f."""
     derived = differentiate(whole, n)
     named = Comparison(derived, "==", f, (Derivative(whole, n, 1, derived),))
-    later = symbol(fresh("later", {n, *symbols(f)}))
-    region = (*given, (x, ">=", low))
-    ways = [
-        ("left", Comparison(substitute(f, {n: later}), "<=", f)),
-        ("right", Comparison(f, "<=", substitute(f, {n: later}))),
-    ]
-    slope = plain_theorem(named, region, "slope")
+    slope = plain_theorem(named, (*given, (symbol(n), ">=", low)), name)
     script = prove(slope)
     if script is None:
         return None
     functions = [f"(fun {variable(n)} : R => {term(e)})" for e in (f, whole)]
-    at = term(low)
+    return (
+        f"assert ({name} : {slope.body.strip()}).\n{{ {script} }}\n"
+        f"assert ({name}_ : forall y, INR {term(low)} <= y -> is_derive {functions[1]} y "
+        f"({functions[0]} y)).\n"
+        f"{{ intros y Y; cbn [INR] in Y; cbv beta; apply {name}; inside_. }}"
+    )
+
+
+def _lemmas(f: Expr, end: Expr, n: str, low: Expr, given: Conditions, prove: Prove) -> str | None:
+    """Return the proofs that ``end``, which is f or its slope, falls or rises."""
+    x, bend = symbol(n), ""
+    if end != f:
+        found = _slope("bend", f, end, n, low, given, prove)
+        if found is None:
+            return None
+        bend = f"{found}\n"
+    later = symbol(fresh("later", {n, *symbols(end)}))
+    region = (*given, (x, ">=", low))
+    ways = [
+        ("left", Comparison(substitute(end, {n: later}), "<=", end)),
+        ("right", Comparison(end, "<=", substitute(end, {n: later}))),
+    ]
+    function, at = f"(fun {variable(n)} : R => {term(end)})", term(low)
     for side, way in ways:
         mono = plain_theorem(way, (*region, (later, ">=", x)), "mono")
-        found = prove(mono)
-        if found is None:
+        script = prove(mono)
+        if script is None:
             continue
         a, b = ("y", "x") if side == "left" else ("x", "y")
         return (
-            f"assert (slope : {slope.body.strip()}).\n{{ {script} }}\n"
-            f"assert (mono : {mono.body.strip()}).\n{{ {found} }}\n"
-            f"assert (slope_ : forall y, INR {at} <= y -> is_derive {functions[1]} y "
-            f"({functions[0]} y)).\n"
-            "{ intros y Y; cbn [INR] in Y; cbv beta; apply slope; inside_. }\n"
+            f"{bend}assert (mono : {mono.body.strip()}).\n{{ {script} }}\n"
             f"assert (rises : forall x y, INR {at} <= x -> x <= y -> "
-            f"{functions[0]} {a} <= {functions[0]} {b}).\n"
+            f"{function} {a} <= {function} {b}).\n"
             "{ intros x y X Y; cbn [INR] in X; cbv beta; apply mono; inside_. }\n"
             f"pose proof (or_{'introl' if side == 'left' else 'intror'} rises : "
-            f"(forall x y, INR {at} <= x -> x <= y -> {functions[0]} y <= {functions[0]} x) \\/ "
-            f"(forall x y, INR {at} <= x -> x <= y -> {functions[0]} x <= {functions[0]} y)) "
+            f"(forall x y, INR {at} <= x -> x <= y -> {function} y <= {function} x) \\/ "
+            f"(forall x y, INR {at} <= x -> x <= y -> {function} x <= {function} y)) "
             "as mono_."
         )
     return None

@@ -1,0 +1,1 @@
+intros; apply claim_hyperbolic_tangent_below, claim_positive_time; assumption.
