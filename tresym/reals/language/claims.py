@@ -35,6 +35,10 @@ MAX_CHARACTERS = 30_000
 NO_CHAIN = "a limit or an order claim cannot be part of a chain: write one relation at a time"
 _WORD = re.compile(r"(?<!\{)\s(?:--)?(given|as|on|at(?=\s+[A-Za-z]\w*\s*=))\s(?!\s*\})")
 _LATEX = re.compile(r"[\\{}]")
+_NO_LETTERS = re.compile(
+    r"\\(?:mathrm|operatorname|text\w*|exp)\s*(?:\{[^{}]*\})?|\\[A-Za-z]+|_\{?\w+"
+)
+_LETTER_E = re.compile(r"(?<![A-Za-z])e(?![A-Za-z])")
 _AND = re.compile(r"\band\b|;|&&?|∧")
 _DANGLING = re.compile(r"\b(and|or)\s*$")
 _MEANT = re.compile(r",\s*\((\w+),\s*([\w./+-]+)\)\s*\)\s*$")
@@ -145,7 +149,8 @@ def _strictly(claim: str, given: Any, path: str | None) -> Written:
     under, end, on = (*_given(given), *_given(own)), _path(own_path or path), _given(region)
     if not _LATEX.search(text):
         sequences = _sequences(f"{given if isinstance(given, str) else ''}, {own}")
-        return Written(tuple(parse_claim(plain(text), sequences)), under, end, on)
+        written = Written(tuple(parse_claim(plain(text), sequences)), under, end, on)
+        return _with_one_e(written, given, own)
     from tresym.reals.language.latex import read_latex
 
     if "\\" not in text and re.search(r"[A-Z]\w*\[.*{", text):
@@ -166,7 +171,25 @@ def _strictly(claim: str, given: Any, path: str | None) -> Written:
     elif said is not None:
         parse_given(chained((*under, *said.links)))
         under = (*under, *said.links)
-    return Written(tuple(chains[0].links), under, end, on)
+    written = Written(tuple(chains[0].links), under, end, on)
+    return _with_one_e(written, text, given, own)
+
+
+def _with_one_e(written: Written, *parts: Any) -> Written:
+    """The claim, unless e is Euler's number in a part in LaTeX and a variable in another one."""
+    latex = (part for part in parts if isinstance(part, str) and _LATEX.search(part))
+    if not any(_LETTER_E.search(_NO_LETTERS.sub(" ", part)) for part in latex):
+        return written
+    links, path = (*written.comparisons, *written.given, *written.on), written.path
+    names = {path.name, *path.together} if path is not None else set()
+    if path is not None and path.expression is not None:
+        names |= symbols(path.expression)
+    if "e" in names.union(*(symbols(side) for left, _, right in links for side in (left, right))):
+        raise InputError(
+            "two readings remain: e is Euler's number in LaTeX, and a variable in plain text; call "
+            "the variable by another name, or write \\exp or \\mathrm{e} for the number"
+        )
+    return written
 
 
 def parts_of(text: str) -> tuple[str, str, str, str]:
