@@ -287,6 +287,23 @@ false: x > 1 given x > 0 knowing x > 1
     assert "PROVED" not in (found["unknown"], found["false"])
 
 
+def test_a_sentence_is_denied_by_claims_that_hold(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """one: x**2 >= 0
+wrong: x**2 > 0
+denied: in words, from one expect refuted at x == -1
+> says: No square of a negative number is positive.
+open: in words, from wrong expect refuted at x == 0
+> says: Some squares vanish.
+""",
+    )
+    found = verdicts(part)
+    assert (found["denied"], found["open"]) == ("REFUTED", "UNDECIDED")
+    with pytest.raises(InputError):
+        read(tmp_path, "one: x**2 >= 0\nsaid: in words, from one given x > 0\n> says: So it is.")
+
+
 def test_what_an_equation_defines(tmp_path: Path) -> None:
     part = read(
         tmp_path,

@@ -42,7 +42,8 @@ This is how each line is understood:
 - ``given x ~= 1.21`` is a printed input, and in ``label: e ~= 0.115`` the number is printed; it is
   right to half a unit of its last place, and with ``~= 0.115 within one unit`` to a whole one.
 - ``label: in words, from one, two`` stands above a sentence (``> says:``) that says more than the
-  claims do on which it rests; it counts as not formal.
+  claims do on which it rests; it counts as not formal. With ``expect refuted at x == 1`` the claims
+  contradict the sentence, in that case at least.
 - ``shown by`` names a method where the engine needs a hint (:mod:`tresym.papers.ways_to_show`).
 - ``infimum(e) == v`` says that e > v, and e < v + d somewhere for every d > 0.
 - ``root(f, x, 0, 1)`` is the root whose uniqueness an earlier claim ``at most one x in (0, 1): …``
@@ -118,6 +119,7 @@ from tresym.ledger.evidence.chart_bounds import Charted, Charts
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.integrals import with_bounds
 from tresym.ledger.evidence.interval_evaluation import Evaluated
+from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.evidence.remainders import Remainder
 from tresym.ledger.evidence.sign_prover import undefined
 from tresym.ledger.reasons import (
@@ -579,9 +581,15 @@ class _Reader(Reader):
             raise InputError(f"'{expect}': expect refuted, or expect enclosed")
         fields: dict[str, Any] = {"amended_by": instead} if instead else {}
         if match := _IN_WORDS.fullmatch(text):
-            if clauses.keys() - {"instead"} or assumed:
-                raise InputError("a sentence in words has no clauses: the claims behind it do")
-            self._state(line, label, place, {"proof": in_words(*self._found(match[1])), **fields})
+            denied = expect == "refuted" and "at" in clauses
+            if clauses.keys() - ({"instead", "expect", "at"} if denied else {"instead"}) or assumed:
+                raise InputError(
+                    "a sentence in words has no clauses but expect refuted at …: the claims behind "
+                    "it do"
+                )
+            behind = self._found(match[1])
+            proof = Denied((*behind,), _point(clauses["at"])) if denied else in_words(*behind)
+            self._state(line, label, place, {"proof": proof, **fields})
             return
         parts = [part.strip() for part in split(text, r"\band\b")]
         if all(part in self.stated for part in parts):
