@@ -37,11 +37,12 @@ def add(commands: Commands) -> None:
         "paper",
         help="check the displayed formulas of a manuscript",
         description="Read every display of a manuscript's LaTeX and give each equality or "
-        "inequality (link) in it a status: PROVED, ENCLOSED, REFUTED, SUSPECT (a "
-        "likely misprint), UNDECIDED, DEFINED, ASSUMED, EQUATION or UNREAD. Comments "
+        "inequality (link) in it a status: PROVED, ENCLOSED, REFUTED, SUSPECT (it "
+        "fails as it was read), UNDECIDED, DEFINED, ASSUMED, EQUATION or UNREAD. Comments "
         "such as '% tresym: given a > 0' add information.",
-        epilog="Exit status: 1 if a formula is REFUTED or SUSPECT, with --strict also if a "
-        "formula is UNDECIDED or UNREAD; 2 if the file cannot be read.",
+        epilog="Exit status: 1 if a formula is REFUTED, with --suspects also if one is "
+        "SUSPECT, with --strict also if one is UNDECIDED or UNREAD; 2 if the file cannot be "
+        "read.",
     )
     parser.add_argument(
         "papers",
@@ -59,7 +60,7 @@ def add(commands: Commands) -> None:
             "write the marks for the margin to FILE, and tresym.sty to the same folder",
         ),
         ("--all", "show every link; without this option, a long report is shortened to one screen"),
-        ("--suspect-ok", "do not count SUSPECT as a failure"),
+        ("--suspects", "count SUSPECT as a failure"),
     )
     parser.add_argument(
         "--no-suggest",
@@ -69,7 +70,7 @@ def add(commands: Commands) -> None:
     )
     parser.add_argument("--root", metavar="DIR", help="the project's top folder, for \\input")
     parser.add_argument(
-        "--strict", action="store_true", help="count UNDECIDED and UNREAD as failures"
+        "--strict", action="store_true", help="count SUSPECT, UNDECIDED and UNREAD as failures"
     )
     parser.add_argument("--limit", metavar="SECONDS", help="processor time for each claim (5)")
     parser.add_argument(
@@ -134,8 +135,8 @@ def run(args: argparse.Namespace) -> int:
         return 0
     new = [row for row, _ in marked] if known is None else new_since(marked, known)
     _show(args, kind, found, new, known is not None)
-    bad = {"REFUTED"} | (set() if args.suspect_ok else {"SUSPECT"})
-    bad |= {"UNDECIDED", "UNREAD"} if args.strict or settings.strict else set()
+    bad = {"REFUTED"} | ({"SUSPECT"} if args.suspects else set())
+    bad |= {"SUSPECT", "UNDECIDED", "UNREAD"} if args.strict or settings.strict else set()
     if lost is not None or not found:
         return 2
     return UNEXPECTED if any(row.status in bad for row in new) else 0

@@ -25,7 +25,7 @@ PROBLEMS = ("REFUTED", "SUSPECT", "UNDECIDED", "UNREAD")
 _LEVELS = {"REFUTED": "error", "SUSPECT": "warning"}
 _RULES = {
     "REFUTED": "A formula is false at the point shown",
-    "SUSPECT": "A formula looks like a misprint",
+    "SUSPECT": "A formula fails as it was read; it may mean something else",
     "UNDECIDED": "A formula could not be decided",
     "UNREAD": "A formula could not be read",
 }

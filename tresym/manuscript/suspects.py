@@ -34,6 +34,7 @@ from tresym.manuscript.classification import (
 )
 from tresym.manuscript.deciding import COORDINATE, Row, under_also
 from tresym.manuscript.mentions import names_in
+from tresym.manuscript.support import SUSPECT
 from tresym.manuscript.terms import unknown_in
 from tresym.reals.decisions.answer import Alternative
 from tresym.reals.language.binders import elementary, outermost
@@ -44,8 +45,6 @@ from tresym.reals.verdict import Cause, Verdict
 from tresym.repair import suggestions
 from tresym.repair.agreement import Definitions
 from tresym.repair.search import GIVEN, SECONDS
-
-SUSPECT = "SUSPECT"
 
 _INTRODUCED = re.compile(
     r"\b(?:equations?|solv\w+|solutions?|roots?|satisf\w+|obeys?|fulfil\w+|unknowns?|curves?|system"
@@ -371,8 +370,9 @@ def printed(link: Link) -> str:
 
 
 def attention(rows: Iterable[Row]) -> list[Row]:
-    """Return the rows that an author must look at: SUSPECT and REFUTED."""
-    return [row for row in rows if row.status in (SUSPECT, "REFUTED")]
+    """Return the rows that an author must look at: the REFUTED ones, then the SUSPECT ones."""
+    found = [row for row in rows if row.status in (SUSPECT, "REFUTED")]
+    return sorted(found, key=lambda row: row.status == SUSPECT)
 
 
 def failing(rows: Iterable[Row]) -> list[Row]:
