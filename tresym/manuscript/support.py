@@ -52,7 +52,7 @@ _REMARK = re.compile(r",[^,=\\]*=(?:[^,\\]|\\(?!\\))*\\\\\s*&?\s*=")
 _SENTENCE = re.compile(r"[^.!?]+[.!?]")
 _CONDITIONAL = re.compile(
     r"\b(?:if|when|whenever|unless|provided|suppos\w*|assum\w*|hypothes\w*|let|set|either|or|not"
-    r"|never|cannot|only|cases?|such that|for which|contradict\w*|approximat\w*|roughly|about|say"
+    r"|never|cannot|only|cases?|such that|for which|contradict\w*|roughly|about|say"
     r"|modulo|mod|guess|conjectur\w*|ansatz|try|instead)\b",
     re.IGNORECASE,
 )
@@ -169,6 +169,8 @@ def _one_edit(case: Case) -> bool:
         new, _, old = found.edit.partition(" in place of ")
         if found.edit.startswith(GIVEN) or not old or not _is_small(old, new):
             continue
+        if any(old == str(side) and not symbols(side) for side in case.sides[::2]):
+            continue  # the value of the other side: there always is one
         if case.names or not _DIGITS.fullmatch(f"{new}{old}"):
             return True
     return False
@@ -201,8 +203,11 @@ def _chain_after(case: Case) -> bool:
 
 
 def _joins(first: Row, second: Row) -> bool:
+    """Whether a link continues another one: they share a term."""
     one, other = first.link.sides, second.link.sides
-    return second.link.goes_on and None not in (one, other) and one[2] == other[0]  # type: ignore[index]
+    if not second.link.goes_on or one is None or other is None:
+        return False
+    return not {one[0], one[2]}.isdisjoint((other[0], other[2]))
 
 
 def _without_term(case: Case) -> bool:
@@ -283,8 +288,13 @@ def _is_one_sided(case: Case) -> bool:
     return bool(case.names) and not (own <= other or other <= own) and elementary(*case.sides[::2])
 
 
+def _is_of_value(case: Case) -> bool:
+    sides = case.sides[::2]
+    return elementary(*sides) and any(map(symbols, sides)) and not all(map(symbols, sides))
+
+
 def _is_bound(case: Case) -> bool:
-    return case.sides[1] != "=="
+    return case.sides[1] in ("<", ">", "<=", ">=", "!=")
 
 
 def _is_doubted(case: Case) -> bool:
@@ -302,10 +312,11 @@ DOUBTS = (
     Evidence("its numbers may have units", -2, _is_of_units),
     Evidence("it holds under a condition, which the text may state", -2, _is_under_condition),
     Evidence("its line may continue the one before a remark", -4, _is_behind_remark),
-    Evidence("the dots in it may stand for something else", -4, _is_dotted),
+    Evidence("the dots in it may stand for something else", -1, _is_dotted),
     Evidence("a definition is substituted, which may not hold there", -1, _is_substituted),
     Evidence("a condition from another section is used", -1, _is_far),
     Evidence("each side has letters of its own, as an equation has", -2, _is_one_sided),
+    Evidence("one side has no letters, as in an equation to be solved", -1, _is_of_value),
     Evidence("the text may say for which values the bound is meant", -2, _is_bound),
     Evidence("a letter in it may be restricted", -2, _is_doubted),
 )
@@ -317,6 +328,18 @@ def _is_mistake(case: Case) -> bool:
     before, after = case.row.link.around[:2]
     words = f"{prose.last_sentence(before)} {' '.join(_SENTENCE.findall(after)[:2])}"
     return bool(_MISTAKE.search(prose.without_formulas(words)))
+
+
+def _is_of_integers(case: Case) -> bool:
+    """Whether it holds if the letters of indices are integers: cos(x + 2 pi n) = cos x."""
+    names = [name for name in sorted(case.names) if name in "nmkj"]
+    if not names or not case.row.refuted or " as " in case.row.refuted:
+        return False
+    asked = under_also(case.row.refuted, ", ".join(f"{name} integer" for name in names))
+    try:
+        return check_within(Task(asked), 2.0).verdict is not Verdict.REFUTED
+    except InputError:
+        return False
 
 
 def _is_of_each_sign(case: Case) -> bool:
@@ -442,6 +465,7 @@ MEANT = (
         0,
         lambda c: _is_solution_of_some(c.row),
     ),
+    Evidence("it holds for integers, which its letters may be", 0, _is_of_integers),
     Evidence("each sign may have a value of its own", 0, _is_of_each_sign),
     Evidence(
         "the integer may be rounded, as the decimals on the other side are",
