@@ -324,5 +324,5 @@ def test_an_equation_in_the_words_before_may_be_the_condition(tmp_path: Path) ->
         "% tresym: let x real\n"
         + r"Take \[ f(t) = x^t . \] %s this becomes \[ f'(y) = y\log x . \]"
     )
-    for words, status in (("At a point with $y = x^y$", "UNDECIDED"), ("Therefore", "REFUTED")):
+    for words, status in (("At a point with $y = x^y$", "UNDECIDED"), ("Therefore", "SUSPECT")):
         assert read(tmp_path, text.replace("%s", words))[-1].status == status
