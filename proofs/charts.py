@@ -468,6 +468,31 @@ sweep_from_four_charts = _charts(
 )
 
 
+def _stays_above_3(later: str, start: Expr, begin: Callable[[Any], Any], improved: str) -> Charts:
+    """The phase after a step of Newton's method behind a sweep is more than 3."""
+
+    def near(b: Any, k: Any, m: Any) -> Any:
+        phase = charts.phase_over(b, k)
+        return phase + charts.newton_excess(b, k, phase, begin(m), m) - 3
+
+    def far(b: Any, kappa: Any, m: Any) -> Any:
+        phase = charts.phase_by_kappa(b, kappa)
+        return phase + kappa * charts.far_newton_excess(b, kappa, phase, begin(m), m) - 3
+
+    on = (
+        On(BY_K, NEAR_CHART, (Shown(near),), _NEARER),
+        On(BY_KAPPA, FAR_CHART, (Shown(far),), _FARTHER),
+    )
+    name = Symbol(later, real=True)
+    return _charts(
+        *on, readings=lambda claims: (*_readings(claims), *_excess(claims, start, name, improved))
+    )
+
+
+newton_pi_stays_charts = _stays_above_3("P_pi", pi, lambda m: m.pi, "phase_from_pi")
+newton_four_stays_charts = _stays_above_3("P_4", Integer(4), lambda m: fmpq(4), "phase_from_four")
+
+
 @cache
 def _readings_pi(claims: Stated) -> tuple[Reading, ...]:
     later = Symbol("P_pi", real=True)

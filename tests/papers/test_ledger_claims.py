@@ -575,3 +575,20 @@ varying: abs(sin(x) - x) <= a*x**3 given x > 0, x <= 1, a >= 1
 def test_hints_with_nothing_behind_them_are_refused(text: str, tmp_path: Path) -> None:
     with pytest.raises(InputError):
         read(tmp_path, text)
+
+
+def test_each_part_is_shown_by_the_claims_behind_it(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """let u_is: u := exp(x) + 1
+let v_is: v := x**2
+above: u > 1 using u_is
+square: v >= 0 using v_is
+both: u > 0 [above] and v + 1 > 0 [square]
+swapped: u > 0 [square] and v + 1 > 0 [above]
+half: u > 0 [above] and v > 0 [square]
+""",
+    )
+    assert part.both.uses == (part.above, part.square)
+    found = verdicts(part)
+    assert {label for label in found if found[label] == "PROVED"} == {"above", "square", "both"}

@@ -33,7 +33,8 @@ This is how each line is understood:
   one x in (0, 1): …`` speaks.
 - In a chain ``a == b == c`` the claim is ``a == c``, in ``a == b >= c`` it is ``a >= c``, and each
   step is decided by itself. A step may name, in brackets behind it, the claims whose equations are
-  put in, and no others: ``a == b [one] == c [two]``. Other words there are printed.
+  put in, and no others: ``a == b [one] == c [two]``. Other words there are printed. In ``u > 0
+  [one] and v > 0 [two, three]`` each part is shown by the claims behind it.
 - A step between integrals may name a rule there: ``[u = t**2]`` is a change of the variable t,
   ``[cut at 1]`` divides the interval, ``[antiderivative log(t)]`` is put in at both ends, by ``[one
   integral]`` a sum is one over one interval. What the rule requires is checked.
@@ -663,7 +664,7 @@ class _Reader(Reader):
                 self._claim_above,
                 self._expression,
                 self._given,
-                stated[0],
+                stated,
                 proof if isinstance(proof, Decided) else Decided(),
                 self.charts,
             )
@@ -1004,6 +1005,12 @@ def _evidence(
         return Counterexample(values, tuple(uses))
     if any(isinstance(e, Rounds) for e in written):
         return Printed(tuple(uses))
+    named = [[c for link in chain for r in link.reasons for c in r.claims] for chain in steps]
+    single = len(steps) > 1 and all(map(len, named)) and {*map(len, steps)} == {1}
+    if single and not any(isinstance(part, Eq) for part in parts_of(written[0])):
+        rest = [c for c in uses if not any(c in claims for claims in named)]
+        parts = ([*claims, *rest] for claims in named)
+        return Follows(tuple(_evidence(claims, written, (), {}) for claims in parts))
     put, cited, also = [], [], []
     for claim in uses:
         parts = claim.parts if claim.in_formulas else ()

@@ -75,7 +75,7 @@ class Line:
         claim: returns the claim above with a label.
         expression: returns an expression that is written in a text.
         conditions: returns the conditions that are written in a text.
-        says: the statement.
+        stated: the statement and its conditions.
         decided: the evidence that the engine decides it with the claims used.
         charts: the stored charts that the file takes, by name.
     """
@@ -85,7 +85,7 @@ class Line:
     claim: Callable[[str], Claim]
     expression: Callable[[str], Expression]
     conditions: Callable[[str], list[Basic]]
-    says: Basic
+    stated: tuple[Basic, ...]
     decided: Decided
     charts: Mapping[str, Charts]
 
@@ -161,11 +161,12 @@ def _variables(text: str, line: Line) -> InVariables:
     values: dict[Symbol, Expression] = {}
     old: dict[Symbol, Expression] = {}
     where: list[Basic] = []
+    known = {symbol for e in line.stated for symbol in e.free_symbols}
     for part in map(str.strip, split(text, ",")):
         match = _IS.fullmatch(part)
         if match is None:
             where += line.conditions(part)
             continue
         name = line.symbol(match[1])
-        (old if name in line.says.free_symbols else values)[name] = line.expression(match[2])
+        (old if name in known else values)[name] = line.expression(match[2])
     return InVariables(values, old, tuple(where))

@@ -3,7 +3,7 @@
 import pytest
 from flint import arb, fmpq
 from sympy import Symbol
-from tresym.proofs.near import first_coefficient, flip_defect, leading_term
+from tresym.proofs import near, separatrix
 
 from tresym.ledger.claim import Claim, Counterexample, Definition, by, equal
 from tresym.ledger.evidence.at_point import place_of
@@ -20,7 +20,12 @@ SHAPES = [(fmpq(1, 4), fmpq(1)), (fmpq(400), fmpq(1, 2)), (fmpq(1, 100), fmpq(9,
 @pytest.mark.parametrize(("a", "b"), SHAPES)
 def test_the_flip_defect_is_the_root(a: fmpq, b: fmpq) -> None:
     with ball_precision(256):
-        claims = (*flip_defect.rests_on, flip_defect, leading_term, first_coefficient)
+        claims = (
+            *separatrix.flip_defect.rests_on,
+            separatrix.flip_defect,
+            near.leading_term,
+            near.first_coefficient,
+        )
         found = place_of({"a": a, "b": b}, claims)
         exact = solve(a, b, 50).defect
         assert found["epsilon0"].overlaps(exact)
@@ -31,7 +36,7 @@ def test_the_flip_defect_is_the_root(a: fmpq, b: fmpq) -> None:
 def test_what_is_defined_has_no_other_value() -> None:
     point = {"a": fmpq(1, 4), "b": fmpq(1), "epsilon0": fmpq(100)}
     with ball_precision(128):
-        claims = (*flip_defect.rests_on, flip_defect)
+        claims = (*separatrix.flip_defect.rests_on, separatrix.flip_defect)
         assert place_of(point, claims)["epsilon0"] < 2
     outside = place_of({"a": fmpq(1, 4), "b": fmpq(2)}, claims)
     assert not outside["epsilon0"].is_finite()

@@ -5,7 +5,8 @@ from dataclasses import replace
 import pytest
 from flint import fmpq
 from sympy import Abs, And, Basic, Gt, Ne, Or, Rational, Symbol, Tuple, exp, expand, log, sqrt
-from tresym.proofs import near
+from tresym.proofs import asymptotics, near, separatrix
+from tresym.proofs.charts import BY_KAPPA, KAPPA
 
 from tresym.ledger.claim import Claim, Definition, equal
 from tresym.ledger.evidence.chart_bounds import (
@@ -20,7 +21,7 @@ from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge_evidence
 from tresym.ledger.statements import ExactlyOne
 from tresym.racket.bounds import charts
-from tresym.racket.notation import Q, a, b, epsilon0, epsilon_star
+from tresym.racket.notation import P, Q, a, b, epsilon0, epsilon_star
 from tresym.reals.balls.branch_and_bound import box
 from tresym.reals.balls.tracing import Named, Part, traced
 from tresym.reals.language.expression import ONE, ZERO, number
@@ -269,14 +270,16 @@ def test_a_part_is_what_it_is_read_as() -> None:
 def test_a_root_is_read_by_its_equation_and_between_its_ends() -> None:
     """What the program of a root contains is the phase, and nothing else."""
     margin = Shown(lambda b_, k_, m: charts.phase_by_kappa(b_, k_) - 1)
-    on = On(near.BY_KAPPA, near.KAPPA, (margin,))
-    known = {"given": near.quarter, "cited": (*near.ROOT, near.phase_range)}
-    right = near.phase_in_kappa
-    assert holds(near.P > 1, on, readings=(right,), **known)
-    assert not holds(near.P > 1, on, **known)
+    on = On(BY_KAPPA, KAPPA, (margin,))
+    cited = (separatrix.flip_defect, separatrix.defect_range, near.phase_range)
+    known = {"given": near.quarter, "cited": cited}
+    readings = asymptotics.repaired.proof.readings
+    (right,) = (r for r in readings if r.step is charts.phase_by_kappa)
+    assert holds(P > 1, on, readings=(right,), **known)
+    assert not holds(P > 1, on, **known)
     for wrong in (
         replace(right, value=epsilon0),
-        replace(right, value=near.P + 1),
+        replace(right, value=P + 1),
         replace(right, claims=()),
         replace(right, claims=(near.phase,)),
         replace(right, cited=()),
@@ -357,10 +360,14 @@ def first(b_, k_, m):
 
 def repaired(limit: str = "1.451", margin: str = "1.451", **changes: object) -> Claim:
     says = Abs(epsilon0 / epsilon_star - 1) <= Rational(limit) * epsilon_star**2
-    shown = near.within(first, fmpq(*map(int, Rational(margin).as_numer_denom())), epsilon_star**2)
-    on = On(near.BY_KAPPA, near.KAPPA, shown)
-    claim = near.bound("repaired", says, on, given=near.quarter)
-    return replace(claim, **changes)
+    most, gauge = fmpq(*map(int, Rational(margin).as_numer_denom())), epsilon_star**2
+    shown = (
+        Shown(lambda *at: most - first(*at), gauge),
+        Shown(lambda *at: most + first(*at), gauge),
+    )
+    known = asymptotics.repaired
+    proof = replace(known.proof, on=(On(BY_KAPPA, KAPPA, shown),), constant=None)
+    return replace(replace(known, says=says, proof=proof), **changes)
 
 
 def test_the_first_order_is_enclosed() -> None:

@@ -51,7 +51,7 @@ from tresym.reals.balls.branch_and_bound import Bound, Box, BoxProof
 from tresym.reals.balls.tracing import Named, Part, Program, traced
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.binders import elementary
-from tresym.reals.language.expression import ZERO, Expr, number
+from tresym.reals.language.expression import LEAVES, ZERO, Expr, number, rebuild
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 from tresym.reals.numbers.exact import InputError
@@ -411,6 +411,7 @@ def _unread(reading: Reading) -> str | None:
         found = program.meaning(
             at, lambda op, args, body=None: _meaning(op, args, body, reading.inner, given)
         )
+        found = _with_single_powers(found, given)  # as claims are written
         return _different(put_in(found, rules), put_in(value, rules), meant)
     step = reading.step
     if step.meaning is not None:
@@ -438,6 +439,19 @@ def _unread(reading: Reading) -> str | None:
             ):
                 return None
     return f"no claim states that {value} is the root"
+
+
+def _with_single_powers(e: Expr, given: Conditions) -> Expr:
+    """Return the expression with 1/√x and such as one power of x, where it is shown to exist."""
+    if e.op in LEAVES or e.names:
+        return e
+    e = rebuild(e, tuple(_with_single_powers(arg, given) for arg in e.args))
+    inner = e.args[0] if e.op == "^" else e
+    if e.op != "^" or inner.op != "^" or {e.args[1].op, inner.args[1].op} != {"number"}:
+        return e
+    positive = is_manifest(Relation(inner.args[0], ">", ZERO), given)
+    exponent = number(e.args[1].args[0] * inner.args[1].args[0])
+    return inner.args[0] ** exponent if positive else e
 
 
 @lru_cache(maxsize=REMEMBERED)
