@@ -1,4 +1,4 @@
-"""γ from ε, and the levels between which ε(γ) is monotone: what proofs/levels.py says, in balls."""
+"""γ from ε, and between which levels ε(γ) is monotone, in balls, as proofs/levels.tresym says."""
 
 from itertools import pairwise
 

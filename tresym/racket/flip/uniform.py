@@ -3,7 +3,7 @@
 They are derived from the phase equation P = π + arctan(r tanh kP), k = √(ab), r = √(b/a), whose
 root is between π and 3π/2: by one step of the fixed-point iteration (a *sweep*) from a fixed
 initial value, and by one Newton step after it. Certified worst relative errors in ε₀ (the proofs
-are in ``proofs/asymptotics.py``):
+are in ``proofs/asymptotics.tresym``):
 
 - sweep from π: 2.8 %, always too large;
 - sweep from 4: 0.65 %, of either sign, at the same cost;
