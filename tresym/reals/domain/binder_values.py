@@ -18,6 +18,7 @@ from functools import partial
 
 from flint import acb, arb, ctx, fmpq
 
+from tresym.reals.domain import gauss_legendre
 from tresym.reals.domain.compiled import Compiled
 from tresym.reals.domain.evaluation import NO_RULES, InBalls, Rule, UndefinedError
 from tresym.reals.language.binders import worked_out
@@ -96,6 +97,10 @@ def quadrature(
         accuracy: the accuracy in bits that is tried for; None for the working precision.
     """
     wanted = ctx.prec if accuracy is None else min(accuracy, ctx.prec)
+    if isinstance(integrand, Compiled):
+        found = gauss_legendre.integral(integrand, low, high, wanted)
+        if found is not None and found.is_finite():
+            return found
     tolerance = arb((1, -wanted))
     most = EVALUATIONS + MORE_EVALUATIONS * max(0, wanted - WORKING)
     fine = {"rel_tol": tolerance, "abs_tol": tolerance, "eval_limit": most}

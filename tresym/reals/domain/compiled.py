@@ -12,6 +12,8 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Sequence
 from functools import partial
+from itertools import islice, repeat
+from operator import methodcaller
 from typing import Any
 
 from flint import acb, arb, ctx, fmpq
@@ -31,7 +33,8 @@ MEROMORPHIC = names(lambda row: row.theory and (row.entire or row.quotient))
 OFF_CUTS = {row.name: row.off_cuts for row in TABLE.values() if row.off_cuts is not None}
 """Whether a complex ball avoids the branch cuts, where they are analytic."""
 Operation = Callable[..., Any]
-HALF = fmpq(1, 2)
+_CHAINED = (operator.add, operator.mul)
+"""Operations whose results need no check: those of finite balls are finite."""
 _NAN = arb.nan()
 
 
@@ -98,6 +101,31 @@ class Compiled:
                 values[k] = operation(values[i], *[values[n] for n in j])
         return acb(values[self._end])
 
+    def reals(self, points: list[arb]) -> list[arb] | None:
+        """Return the values of a function of one variable at real points; None if one has none."""
+        if self._bits != ctx.prec:
+            self._fill()
+        values: list[Any] = [points, *map(repeat, self._values[1:])]
+        try:
+            for operation, _, i, j, k in self._steps:
+                found = _over(_QUICK.get(operation, operation), values, i, j)
+                if operation not in _CHAINED and not all(map(arb.is_finite, found)):
+                    return None
+                values[k] = found
+        except UndefinedError:
+            return None
+        found = list(islice(values[self._end], len(points)))
+        return found if all(map(arb.is_finite, found)) else None
+
+    def holomorphics(self, points: list[acb]) -> list[acb]:
+        """Return the values at complex points, each not finite unless proved holomorphic there."""
+        if self._bits != ctx.prec:
+            self._fill()
+        values: list[Any] = [points, *map(repeat, self._values[1:])]
+        for _, operation, i, j, k in self._steps:
+            values[k] = _over(operation, values, i, j)
+        return list(map(acb, islice(values[self._end], len(points))))
+
     def __call__(self, z: acb, analytic: bool) -> acb:
         """Evaluate a function of one variable as FLINT's quadrature requires."""
         if analytic:
@@ -136,11 +164,9 @@ class Compiled:
         if op in UNWORKED or (op != "^" and TABLE[op].ball is None):
             raise UndefinedError
         if op == "^" and args[1].op == "number":
-            r = args[1].args[0]
-            root: Operation = _square_root if r == HALF else partial(_rational_power, r)
-            return self._step(root, partial(_complex_power, r), self._place(args[0]))
-        real: Operation = real_power if op == "^" else TABLE[op].ball
-        holomorphic = _complex_real_power if op == "^" else partial(_holomorphic, op)
+            return self._step(*_power_steps(args[1].args[0]), self._place(args[0]))
+        real = real_power if op == "^" else TABLE[op].ball
+        holomorphic = _complex_real_power if op == "^" else _in_complex_balls(op)
         first, *others = map(self._place, args)
         if not others:
             return self._step(real, holomorphic, first)
@@ -170,10 +196,15 @@ class Compiled:
         return len(self._values) - 1
 
 
-def _square_root(x: arb) -> arb:
-    if not x >= 0:
-        raise UndefinedError
-    return x.sqrt()
+def _over(
+    operation: Operation, values: list[Any], i: int, j: int | tuple[int, ...] | None
+) -> list[Any]:
+    """Return an operation at each point of lists."""
+    if j is None:
+        return list(map(operation, values[i]))
+    if isinstance(j, int):
+        return list(map(operation, values[i], values[j]))
+    return list(map(operation, values[i], *[values[n] for n in j]))
 
 
 def _rational_power(r: fmpq, x: arb) -> arb:
@@ -205,8 +236,29 @@ def _complex_power(r: fmpq, z: Any) -> acb:
     return (z.sqrt(analytic=True) if q == 2 else z.pow(acb(fmpq(1, q)), analytic=True)) ** p
 
 
+def _power_steps(r: fmpq) -> tuple[Operation, Operation]:
+    """Return the real and the holomorphic operation of a power with a written exponent."""
+    p, q = int(r.p), int(r.q)
+    if q == 1:
+        return lambda x: rational_power(x, r) if x.contains(0) else x**p, lambda z: z**p
+    if q == 2 and p in (1, -1):
+        name = "sqrt" if p == 1 else "rsqrt"
+        return getattr(arb, name), methodcaller(name, analytic=True)
+    return partial(_rational_power, r), partial(_complex_power, r)
+
+
 def _complex_real_power(z: Any, w: Any) -> acb:
     return (w * acb(z).log(analytic=True)).exp()
+
+
+_QUICK: dict[Operation, Operation] = {_divided: operator.truediv}
+"""Operations without their own check, where the result is checked to be finite."""
+
+
+def _in_complex_balls(name: str) -> Operation:
+    """Return a function in complex balls."""
+    plain = name in MEROMORPHIC and TABLE[name].holomorphic is None and name not in OFF_CUTS
+    return getattr(acb, name) if plain else partial(_holomorphic, name)
 
 
 def _holomorphic(name: str, *values: Any) -> acb:

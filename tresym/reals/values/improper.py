@@ -15,13 +15,19 @@ The rest behind a cut is bounded by :mod:`tresym.reals.values.growth`, and added
 of the integrand by algebra might extend its domain; so the integrand as written is proved to be
 defined on the whole piece, by the growth near the end and by subdivision elsewhere.
 
+What does not depend on the precision is kept for integrands without other variables: where the
+integral is cut, the change of variable, bounds of its growth (a bound in balls holds at any
+precision), that it is defined, and the compiled integrand.
+
 Limitations: the integral must converge absolutely, and a singularity inside the interval must be
 made an end.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from contextlib import suppress
+from functools import lru_cache
 from itertools import pairwise
 
 from flint import acb, arb, ctx, fmpq
@@ -68,6 +74,8 @@ LARGEST_ROOT = 12
 """The largest exponent k of a substitution x = a + v^k."""
 PIECES = 4000
 """How many pieces the proof of definedness may take."""
+KEPT = 256
+"""Of how many integrands each result is kept."""
 _WHOLE = {"+", "*", "^", "pi"} | FUNCTIONS
 """The operations whose domains are listed in one table."""
 
@@ -84,8 +92,7 @@ def integral(e: Expr, outer: InBalls) -> arb:
         DivergesError: the integral diverges.
     """
     low, high = e.args[1:]
-    (name,), body = opened(e, (*symbols(low), *symbols(high)))
-    body = worked_out(body)
+    name, body = _opened(e)
     if INFINITY.args[0] in symbols(low) | symbols(high):
         return _infinite(body, name, low, high, outer)
     first, last = outer.value(low), outer.value(high)
@@ -96,13 +103,20 @@ def integral(e: Expr, outer: InBalls) -> arb:
     return _finite(body, name, low, high, outer)
 
 
+@lru_cache(maxsize=KEPT)
+def _opened(e: Expr) -> tuple[str, Expr]:
+    """Return the variable and the integrand of a node."""
+    (name,), body = opened(e, (*symbols(e.args[1]), *symbols(e.args[2])))
+    return name, worked_out(body)
+
+
 def _infinite(body: Expr, name: str, low: Expr, high: Expr, outer: InBalls) -> arb:
     """Return an integral with an infinite end, as a sum of integrals from a number to ∞."""
     if low == high:
         raise UndefinedError
     if low == INFINITY or high == -INFINITY:
         return -_infinite(body, name, high, low, outer)
-    mirrored = substitute(body, {name: -symbol(name)})
+    mirrored = _at(body, name, -symbol(name))
     if low == -INFINITY and high == INFINITY:
         return _to_infinity(body, name, ZERO, outer) + _to_infinity(mirrored, name, ZERO, outer)
     if low == -INFINITY:
@@ -120,16 +134,41 @@ def _to_infinity(body: Expr, name: str, low: Expr, outer: InBalls) -> arb:
         while cut < FARTHEST:
             rest = _tail(growth, terms, cut)
             if _small(rest):
-                near = _scaled_down(body, name, growth)
+                near = _near(body, name, growth)
                 return _finite(near, name, low, number(cut.fmpq()), outer) + _within(rest)
             cut = (cut * (fmpq(5, 4) if cut > 64 else 2)).ceil().mid()
     if not terms:
         return _finite(body, name, low, number(growth.start), outer)
     beyond = max(1, int((first.upper() + 1).ceil().mid().fmpq().p))
     v = symbol(name)
-    inverted = substitute(body, {name: 1 / v}) / v**2
+    inverted = _at(body, name, 1 / v, v**-2)
     near = _finite(body, name, low, number(beyond), outer)
     return near + _singular(inverted, name, number(fmpq(1, beyond)), outer)
+
+
+@lru_cache(maxsize=KEPT)
+def _at(body: Expr, name: str, x: Expr, slope: Expr = ONE) -> Expr:
+    """Return an expression with ``x`` instead of its variable, times ``slope``."""
+    found = substitute(body, {name: x})
+    return found if slope == ONE else found * slope
+
+
+def _alone(body: Expr, name: str) -> bool:
+    """Return whether an integrand has no other variables, and nothing that needs a rule."""
+    return not body.hidden and symbols(body) <= {name}
+
+
+def _compiled(body: Expr, name: str, outer: InBalls) -> Compiled:
+    return _kept(body, name) if _alone(body, name) else Compiled(body, (name,), outer.value)
+
+
+@lru_cache(maxsize=KEPT)
+def _kept(body: Expr, name: str) -> Compiled:
+    return Compiled(body, (name,))
+
+
+def _near(body: Expr, name: str, growth: Growth) -> Expr:
+    return (_kept_near if _alone(body, name) else _scaled_down)(body, name, growth)
 
 
 def _scaled_down(e: Expr, name: str, growth: Growth) -> Expr:
@@ -154,6 +193,9 @@ def _scaled_down(e: Expr, name: str, growth: Growth) -> Expr:
     return apply("exp", exponent * g) * power(scaled, exponent)
 
 
+_kept_near = lru_cache(maxsize=KEPT)(_scaled_down)
+
+
 def _times_exponential(term: Expr, g: Expr) -> Expr:
     """Return a term times exp(g), joined with an exponential in it."""
     factors = list(term.args) if term.op == "*" else [term]
@@ -169,8 +211,21 @@ def _growth(
     body: Expr, name: str, outer: InBalls, at_zero: bool = False, disc: bool = False
 ) -> tuple[Growth, Sum]:
     """Return how an integrand grows, with the first T from which the description holds."""
+    if _alone(body, name):
+        return _kept_growth(body, name, at_zero, disc)
+    return _growth_of(body, name, outer.value, at_zero, disc)
+
+
+@lru_cache(maxsize=KEPT)
+def _kept_growth(body: Expr, name: str, at_zero: bool, disc: bool) -> tuple[Growth, Sum]:
+    return _growth_of(body, name, lambda part: InBalls({}).value(part), at_zero, disc)
+
+
+def _growth_of(
+    body: Expr, name: str, known: Callable[[Expr], arb], at_zero: bool, disc: bool
+) -> tuple[Growth, Sum]:
     for start in STARTS:
-        growth = Growth(name, start, outer.value, at_zero, disc, vanishes=_vanishes)
+        growth = Growth(name, start, known, at_zero, disc, vanishes=_vanishes)
         try:
             return growth, growth.terms(body)
         except FartherError:
@@ -215,7 +270,7 @@ def _finite(body: Expr, name: str, low: Expr, high: Expr, outer: InBalls) -> arb
 def _piece(body: Expr, name: str, low: Expr, high: Expr, outer: InBalls) -> arb:
     """Return an integral over an interval inside which nothing singular is visible."""
     first, last = outer.value(low), outer.value(high)
-    compiled = Compiled(body, (name,), outer.value)
+    compiled = _compiled(body, name, outer)
     bad = [not _analytic(compiled, end, last - first) for end in (first, last)]
     if any(bad):
         try:
@@ -232,6 +287,12 @@ def _piece(body: Expr, name: str, low: Expr, high: Expr, outer: InBalls) -> arb:
 
 def _cuts(body: Expr, name: str, low: arb, high: arb) -> list[fmpq]:
     """Return the rational points inside at which a part that is affine in x may be singular."""
+    return sorted(zero for zero in _zeros(body, name) if low < zero < high)
+
+
+@lru_cache(maxsize=KEPT)
+def _zeros(body: Expr, name: str) -> tuple[fmpq, ...]:
+    """Return the rational points at which a part that is affine in x may be singular."""
     found: list[fmpq] = []
     for node in operations((body,)):
         if not _may_be_singular(node) or name not in symbols(node.args[0]):
@@ -242,10 +303,8 @@ def _cuts(body: Expr, name: str, low: arb, high: arb) -> list[fmpq]:
         if a is None or b is None or c is None:
             continue
         if b - a == c - b and b != a and part.op in ("+", "*", "symbol"):
-            zero = -a / (b - a)
-            if low < zero < high:
-                found.append(zero)
-    return sorted({str(x): x for x in found}.values())
+            found.append(-a / (b - a))
+    return tuple({str(x): x for x in found}.values())
 
 
 def _may_be_singular(node: Expr) -> bool:
@@ -263,9 +322,9 @@ def _apart(body: Expr, name: str, low: Expr, high: Expr, bad: list[bool], outer:
     width = (high - low) / 2 if all(bad) else high - low
     total = arb(0)
     if bad[0]:
-        total += _singular(substitute(body, {name: low + x}), name, width, outer)
+        total += _singular(_at(body, name, low + x), name, width, outer)
     if bad[1]:
-        total += _singular(substitute(body, {name: high - x}), name, width, outer)
+        total += _singular(_at(body, name, high - x), name, width, outer)
     return total
 
 
@@ -297,7 +356,7 @@ def _singular(written: Expr, name: str, width: Expr, outer: InBalls) -> arb:
     for k in _roots(terms):
         change = ONE if k == 1 else k * power(u, number(k - 1))
         for form in (body, written):
-            regular = substitute(form, {name: power(u, number(k))}) * change
+            regular = _at(form, name, power(u, number(k)), change)
             if form is body:
                 regular = _normal(regular, Given(((u, ">", ZERO),)))
             try:
@@ -316,10 +375,10 @@ def _singular(written: Expr, name: str, width: Expr, outer: InBalls) -> arb:
     else:
         raise UndefinedError
     decay = apply("exp", -u)
-    falling = _normal(substitute(body, {name: decay}) * decay, Given())
+    falling = _normal(_at(body, name, decay, decay), Given())
     with ball_precision(2 * ctx.prec + 64) as _:
         again = InBalls(outer.at, outer.rules)
-        compiled = Compiled(falling, (name,), again.value)
+        compiled = _compiled(falling, name, again)
         ends = -again.value(width).log(), cut.log()
         accuracy = (ctx.prec - 64) // 2
         found = quadrature(compiled, *ends, accuracy)
@@ -347,7 +406,7 @@ def _removed(body: Expr, name: str, end: arb, outer: InBalls) -> Compiled | _Rem
     Raises:
         UndefinedError: it is not shown to be.
     """
-    compiled = Compiled(body, (name,), outer.value)
+    compiled = _compiled(body, name, outer)
     if _analytic(compiled, arb(0), end):
         return compiled
     growth, terms = _growth(body, name, outer, at_zero=True, disc=True)
@@ -357,6 +416,7 @@ def _removed(body: Expr, name: str, end: arb, outer: InBalls) -> Compiled | _Rem
     return _Removed(compiled, (1 / growth.top).lower(), bound.upper())
 
 
+@lru_cache(maxsize=KEPT)
 def _normal(e: Expr, given: Given) -> Expr:
     try:
         return normal_form(e, given)
@@ -380,7 +440,7 @@ def _gcd(a: int, b: int) -> int:
 
 
 def _need_defined(written: Expr, name: str, width: Expr, outer: InBalls) -> None:
-    """Prove that an expression is defined between 0 and ``width``.
+    """Prove that an expression is defined between 0 and ``width``, once.
 
     Near 0 its growth is a proof, or the signs of the leading terms of what must be positive or not
     vanish; farther on, balls.
@@ -388,11 +448,23 @@ def _need_defined(written: Expr, name: str, width: Expr, outer: InBalls) -> None
     Raises:
         UndefinedError: it is not proved.
     """
+    if _alone(written, name) and not width.hidden and not symbols(width):
+        _kept_defined(written, name, width)
+    else:
+        _proved_defined(written, name, width, outer)
+
+
+@lru_cache(maxsize=KEPT)
+def _kept_defined(written: Expr, name: str, width: Expr) -> None:
+    _proved_defined(written, name, width, InBalls({}))
+
+
+def _proved_defined(written: Expr, name: str, width: Expr, outer: InBalls) -> None:
     try:
         growth, _ = _growth(written, name, outer, at_zero=True)
     except UndefinedError:
         growth = _defined_near(written, name, width, outer)
-    compiled = Compiled(written, (name,), outer.value)
+    compiled = _compiled(written, name, outer)
     stack, count = [((1 / growth.top).lower(), outer.value(width).upper())], 0
     while stack:
         a, b = stack.pop()
