@@ -48,6 +48,8 @@ from tresym.reals.values.growth import DivergesError
 MAX_DIGITS = 10_000
 SMALLEST = 4
 """A value below 10^(−4 digits − 100) is not told apart from 0, if nothing else is asked for."""
+GUARD = 24
+"""The bits beyond the digits with which an expression is tried first."""
 AGAIN = 2
 """How often an expression is tried again, at higher precision, that has no value."""
 GRID = 400
@@ -223,7 +225,7 @@ def certified(e: Expr, digits: int, smallest: int | None = None) -> arb:
     limit = SMALLEST * bits(digits) + 400 if smallest is None else smallest
     found: arb | None = None
     while more <= limit:
-        with ball_precision(bits(digits, 48) + more):
+        with ball_precision(bits(digits, GUARD) + more):
             walker = certified_evaluation()
             try:
                 found = walker.value(e)
@@ -233,7 +235,7 @@ def certified(e: Expr, digits: int, smallest: int | None = None) -> arb:
                 if undefined == AGAIN:
                     raise InputError(_without_value(e, walker)) from None
                 undefined += 1
-                more = min(max(3 * more, 2 * bits(digits, 48)), limit)
+                more = min(max(3 * more, 2 * bits(digits, GUARD)), limit)
                 continue
             if found.is_zero() or found.rel_accuracy_bits() >= wanted:
                 return found

@@ -97,7 +97,7 @@ def quadrature(
         accuracy: the accuracy in bits that is tried for; None for the working precision.
     """
     wanted = ctx.prec if accuracy is None else min(accuracy, ctx.prec)
-    if isinstance(integrand, Compiled):
+    if isinstance(integrand, gauss_legendre.Integrand):
         found = gauss_legendre.integral(integrand, low, high, wanted)
         if found is not None and found.is_finite():
             return found

@@ -22,10 +22,21 @@ import operator
 from functools import cache, lru_cache
 from itertools import repeat
 from math import ceil, log2
+from typing import Protocol, runtime_checkable
 
 from flint import acb, arb, ctx, fmpq
 
-from tresym.reals.domain.compiled import Compiled
+
+@runtime_checkable
+class Integrand(Protocol):
+    """A function of one variable at many points, as :class:`.compiled.Compiled` is."""
+
+    def reals(self, points: list[arb]) -> list[arb] | None:
+        """Return the values at real points; None if one is not proved to exist."""
+
+    def holomorphics(self, points: list[acb]) -> list[acb]:
+        """Return the values at complex balls, each not finite unless proved holomorphic there."""
+
 
 RATIOS = (16, 8, 5, 3, 2)
 """The numbers ρ for which a ball around the ellipse is tried."""
@@ -37,7 +48,7 @@ SPARE = 3
 """How many bits the error of one piece lies below the error that is wanted."""
 
 
-def integral(f: Compiled, low: arb, high: arb, accuracy: int) -> arb | None:
+def integral(f: Integrand, low: arb, high: arb, accuracy: int) -> arb | None:
     """Return the integral of a function of one variable; None if balls do not show it analytic.
 
     Args:
@@ -68,7 +79,7 @@ def integral(f: Compiled, low: arb, high: arb, accuracy: int) -> arb | None:
     return total
 
 
-def _points(f: Compiled, middle: arb, half: arb, wanted: int) -> tuple[int, arb] | None:
+def _points(f: Integrand, middle: arb, half: arb, wanted: int) -> tuple[int, arb] | None:
     """Return the least number of points, and a bound of the error for a piece of half-width 1."""
     boxes = [acb(middle + half * x, half * y) for x, y, _ in _ellipses()]
     scale = log2(max(1e-300, float(half.abs_upper())))

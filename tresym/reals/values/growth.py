@@ -25,6 +25,7 @@ logarithms, are beyond it; then no bound is given.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from functools import cmp_to_key
 from typing import Any, NamedTuple
 
@@ -185,6 +186,7 @@ class Growth:
         self.top = arb(start)
         self.log = self.top.log()
         self.done: dict[Expr, Sum] = {}
+        self.cuts: dict[tuple[int, int, int], tuple[arb, arb]] = {}
 
     # Scales
 
@@ -602,6 +604,33 @@ class Growth:
                 raise FartherError
             total += abs(_ball(c)) * start * self.at_start(m, start) / (beta - 1)
         return total.abs_upper()
+
+    def cut(
+        self, f: Sum, first: arb, farther: Callable[[arb], arb], most: arb | int
+    ) -> tuple[arb, arb] | None:
+        """Return the first cut whose tail is small at this precision, with the tail.
+
+        A cut that was found is kept, for the one sum whose tails are asked for.
+
+        Args:
+            f: the sum.
+            first: the first cut that is tried, an exact number.
+            farther: the next cut after one.
+            most: the farthest cut.
+        """
+        key = (ctx.prec, *map(int, first.man_exp()))
+        if key not in self.cuts:
+            cut, small = first, arb((1, -ctx.prec))
+            while cut < most:
+                with suppress(FartherError):
+                    rest = self.tail(f, cut)
+                    if rest < small:
+                        self.cuts[key] = cut, rest
+                        break
+                cut = farther(cut)
+            else:
+                return None
+        return self.cuts[key]
 
     def _integrable(self, m: Scale) -> bool:
         if m.exps:

@@ -66,12 +66,14 @@ from tresym.reals.values.growth import DivergesError, FartherError, Growth, Sum
 
 STARTS = tuple(fmpq(4) ** n for n in (1, 2, 3, 4, 6, 8, 12, 16, 24, 32))
 """The numbers T from which a growth is looked for."""
-DOUBLINGS = 64
-"""How often the cut is moved outward."""
+NEAREST = arb((1, 1 << 24))
+"""The reciprocal of the least distance from a singular end at which an integral is cut."""
 FARTHEST = 4096
 """A cut in x itself lies at most here."""
 LARGEST_ROOT = 12
 """The largest exponent k of a substitution x = a + v^k."""
+SLACK = 8
+"""A value is computed again with more bits, if it has this many fewer than are wanted."""
 PIECES = 4000
 """How many pieces the proof of definedness may take."""
 KEPT = 256
@@ -130,13 +132,12 @@ def _to_infinity(body: Expr, name: str, low: Expr, outer: InBalls) -> arb:
     first = outer.value(low)
     if terms and terms[0].scale.exps:
         _need_convergent(growth, terms)
-        cut = growth.top.max((first + 1).ceil()).mid()
-        while cut < FARTHEST:
-            rest = _tail(growth, terms, cut)
-            if _small(rest):
-                near = _near(body, name, growth)
-                return _finite(near, name, low, number(cut.fmpq()), outer) + _within(rest)
-            cut = (cut * (fmpq(5, 4) if cut > 64 else 2)).ceil().mid()
+        begin = growth.top.max((first + 1).ceil()).mid()
+        found = growth.cut(terms, begin, _farther, FARTHEST)
+        if found is not None:
+            cut, rest = found
+            near = _near(body, name, growth)
+            return _finite(near, name, low, number(cut.fmpq()), outer) + _within(rest)
     if not terms:
         return _finite(body, name, low, number(growth.start), outer)
     beyond = max(1, int((first.upper() + 1).ceil().mid().fmpq().p))
@@ -238,21 +239,20 @@ def _vanishes(e: Expr) -> bool:
     return not symbols(e) and evaluate(e, {}).is_finite() and _normal(e, Given()) == ZERO
 
 
-def _tail(growth: Growth, terms: Sum, cut: arb) -> arb:
-    try:
-        return growth.tail(terms, cut)
-    except FartherError:
-        return arb.pos_inf()
+def _farther(cut: arb) -> arb:
+    """Return the next cut in x itself."""
+    return (cut * (fmpq(5, 4) if cut > 64 else 2)).ceil().mid()
+
+
+def _nearer(cut: arb) -> arb:
+    """Return the next cut near a singular end, by its reciprocal distance."""
+    return (cut**2 if cut < arb((1, 64)) else cut ** arb("1.25")).mid()
 
 
 def _need_convergent(growth: Growth, terms: Sum) -> None:
     """Raise what an integral raises that diverges, or is not seen to converge."""
     with suppress(FartherError):
         growth.tail(terms, growth.top)
-
-
-def _small(rest: arb) -> bool:
-    return bool(rest < arb((1, -ctx.prec)))
 
 
 def _within(rest: arb) -> arb:
@@ -343,15 +343,10 @@ def _singular(written: Expr, name: str, width: Expr, outer: InBalls) -> arb:
         UndefinedError: no value is proved.
     """
     u = symbol(name)
-    body = _normal(written, Given(((u, ">", ZERO), (u, "<", width))))
-    try:
-        growth, terms = _growth(body, name, outer, at_zero=True)
-    except UndefinedError:
-        growth, terms = _growth(written, name, outer, at_zero=True)
-        body = written
-    terms = growth.product(terms, growth.terms(u**2))  # du = dt/t²
-    _need_defined(written, name, width, outer)
-    _need_convergent(growth, terms)
+    if _alone(written, name) and not width.hidden and not symbols(width):
+        body, growth, terms = _kept_at_end(written, name, width)
+    else:
+        body, growth, terms = _at_end(written, name, width, outer)
     end = outer.value(width)
     for k in _roots(terms):
         change = ONE if k == 1 else k * power(u, number(k - 1))
@@ -366,25 +361,49 @@ def _singular(written: Expr, name: str, width: Expr, outer: InBalls) -> arb:
                 continue
             if found.is_finite():
                 return found
-    cut = growth.top.max(2 / end).mid()
-    for _ in range(DOUBLINGS):
-        rest = _tail(growth, terms, cut)
-        if _small(rest):
-            break
-        cut = (cut**2 if cut < arb((1, 64)) else cut ** arb("1.25")).mid()
-    else:
+    cut_off = growth.cut(terms, growth.top.max(2 / end).mid(), _nearer, NEAREST)
+    if cut_off is None:
         raise UndefinedError
+    cut, rest = cut_off
     decay = apply("exp", -u)
     falling = _normal(_at(body, name, decay, decay), Given())
-    with ball_precision(2 * ctx.prec + 64) as _:
-        again = InBalls(outer.at, outer.rules)
-        compiled = _compiled(falling, name, again)
-        ends = -again.value(width).log(), cut.log()
-        accuracy = (ctx.prec - 64) // 2
-        found = quadrature(compiled, *ends, accuracy)
+    accuracy, found = ctx.prec, arb.nan()
+    for precision in (accuracy + 32, 2 * accuracy + 64):
+        with ball_precision(precision):
+            again = InBalls(outer.at, outer.rules)
+            compiled = _compiled(falling, name, again)
+            ends = -again.value(width).log(), cut.log()
+            found = quadrature(compiled, *ends, accuracy)
+        if found.rad() < arb((1, SLACK - accuracy)) * abs(found).upper().max(1):
+            break
     if not found.is_finite():
         raise UndefinedError
     return found + _within(rest)
+
+
+@lru_cache(maxsize=KEPT)
+def _kept_at_end(written: Expr, name: str, width: Expr) -> tuple[Expr, Growth, Sum]:
+    return _at_end(written, name, width, InBalls({}))
+
+
+def _at_end(written: Expr, name: str, width: Expr, outer: InBalls) -> tuple[Expr, Growth, Sum]:
+    """Return an integrand between 0 and ``width`` in normal form, and how it grows at 0.
+
+    Raises:
+        DivergesError: the integral diverges at 0.
+        UndefinedError: it is not shown to converge, or the integrand not to be defined.
+    """
+    u = symbol(name)
+    body = _normal(written, Given(((u, ">", ZERO), (u, "<", width))))
+    try:
+        growth, terms = _growth(body, name, outer, at_zero=True)
+    except UndefinedError:
+        growth, terms = _growth(written, name, outer, at_zero=True)
+        body = written
+    terms = growth.product(terms, growth.terms(u**2))  # du = dt/t²
+    _need_defined(written, name, width, outer)
+    _need_convergent(growth, terms)
+    return body, growth, terms
 
 
 class _Removed:
@@ -395,9 +414,19 @@ class _Removed:
 
     def __call__(self, z: acb, analytic: bool) -> acb:
         found = self.inner(z, analytic)
-        if not found.is_finite() and abs(z) < self.radius:
+        return found if found.is_finite() else self._bounded(z, found, analytic)
+
+    def _bounded(self, z: acb, found: acb, analytic: bool) -> acb:
+        if abs(z) < self.radius:
             return acb(arb(0, self.bound), arb(0, self.bound if analytic else 0))
         return found
+
+    def reals(self, points: list[arb]) -> list[arb] | None:
+        return self.inner.reals(points)
+
+    def holomorphics(self, points: list[acb]) -> list[acb]:
+        values = zip(points, self.inner.holomorphics(points), strict=True)
+        return [v if v.is_finite() else self._bounded(z, v, True) for z, v in values]
 
 
 def _removed(body: Expr, name: str, end: arb, outer: InBalls) -> Compiled | _Removed:
@@ -440,7 +469,7 @@ def _gcd(a: int, b: int) -> int:
 
 
 def _need_defined(written: Expr, name: str, width: Expr, outer: InBalls) -> None:
-    """Prove that an expression is defined between 0 and ``width``, once.
+    """Prove that an expression is defined between 0 and ``width``.
 
     Near 0 its growth is a proof, or the signs of the leading terms of what must be positive or not
     vanish; farther on, balls.
@@ -448,18 +477,6 @@ def _need_defined(written: Expr, name: str, width: Expr, outer: InBalls) -> None
     Raises:
         UndefinedError: it is not proved.
     """
-    if _alone(written, name) and not width.hidden and not symbols(width):
-        _kept_defined(written, name, width)
-    else:
-        _proved_defined(written, name, width, outer)
-
-
-@lru_cache(maxsize=KEPT)
-def _kept_defined(written: Expr, name: str, width: Expr) -> None:
-    _proved_defined(written, name, width, InBalls({}))
-
-
-def _proved_defined(written: Expr, name: str, width: Expr, outer: InBalls) -> None:
     try:
         growth, _ = _growth(written, name, outer, at_zero=True)
     except UndefinedError:
