@@ -25,6 +25,7 @@ from tresym.reals.decisions.closed_values import certified_evaluation
 from tresym.reals.decisions.rounding import rounded_numbers
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import InBalls, UndefinedError
+from tresym.reals.functions.table import TABLE
 from tresym.reals.language.binders import outermost, worked_out
 from tresym.reals.language.calls import FACTORIAL, INFINITY, ROUNDED, unknown_function_error
 from tresym.reals.language.expression import Expr, number, opened, substitute, symbol, symbols
@@ -221,6 +222,9 @@ def certified(e: Expr, digits: int, smallest: int | None = None) -> arb:
     Raises:
         InputError: no value is proved to exist, or the value cannot be told apart from 0.
     """
+    at_once = _of_numbers(e, digits)
+    if at_once is not None:
+        return at_once
     wanted, more, undefined = bits(digits, 8), 0, 0
     limit = SMALLEST * bits(digits) + 400 if smallest is None else smallest
     found: arb | None = None
@@ -249,6 +253,19 @@ def certified(e: Expr, digits: int, smallest: int | None = None) -> arb:
             f"the value could not be told apart from 0: it is at most {found.abs_upper().str(3)}"
         )
     raise InputError(f"only the digits {found.str(digits, radius=False)} of the value were proved")
+
+
+def _of_numbers(e: Expr, digits: int) -> arb | None:
+    """Return the value of a function of written numbers; None if it is none, or takes more bits."""
+    row = TABLE.get(e.op)
+    if row is None or any(arg.op != "number" for arg in e.args):
+        return None
+    with ball_precision(bits(digits, GUARD)):
+        try:
+            found = row.ball(*[arb(arg.args[0]) for arg in e.args])
+        except UndefinedError:
+            return None
+    return found if found.is_finite() and found.rel_accuracy_bits() >= bits(digits, 8) else None
 
 
 def _without_value(e: Expr, walker: InBalls) -> str:

@@ -16,6 +16,8 @@ ANALYTIC = {
     "1/sqrt(2 - x**2)": lambda x: 1 / mpmath.sqrt(2 - x**2),
     "(1 + x)**pi/(x + 2)**3": lambda x: (1 + x) ** mpmath.pi / (x + 2) ** 3,
     "tanh(8*x - 3)": lambda x: mpmath.tanh(8 * x - 3),
+    "pi*sqrt(2)*x": lambda x: mpmath.pi * mpmath.sqrt(2) * x,
+    "log(3)/pi": lambda _: mpmath.log(3) / mpmath.pi,
     "abs(x - 2)": lambda x: 2 - x,
     "log(1 + 1/(x + 1/9))": lambda x: mpmath.log(1 + 1 / (x + mpmath.mpf(1) / 9)),
 }

@@ -12,7 +12,7 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Sequence
 from functools import partial
-from itertools import islice, repeat
+from itertools import repeat
 from operator import methodcaller
 from typing import Any
 
@@ -105,26 +105,27 @@ class Compiled:
         """Return the values of a function of one variable at real points; None if one has none."""
         if self._bits != ctx.prec:
             self._fill()
-        values: list[Any] = [points, *map(repeat, self._values[1:])]
+        values: list[Any] = [points, *self._values[1:]]
         try:
             for operation, _, i, j, k in self._steps:
-                found = _over(_QUICK.get(operation, operation), values, i, j)
-                if operation not in _CHAINED and not all(map(arb.is_finite, found)):
+                values[k] = found = _over(_QUICK.get(operation, operation), values, i, j)
+                if operation not in _CHAINED and not _all_finite(found):
                     return None
-                values[k] = found
         except UndefinedError:
             return None
-        found = list(islice(values[self._end], len(points)))
-        return found if all(map(arb.is_finite, found)) else None
+        found = values[self._end]
+        found = found if isinstance(found, list) else [found] * len(points)
+        return found if _all_finite(found) else None
 
     def holomorphics(self, points: list[acb]) -> list[acb]:
         """Return the values at complex points, each not finite unless proved holomorphic there."""
         if self._bits != ctx.prec:
             self._fill()
-        values: list[Any] = [points, *map(repeat, self._values[1:])]
+        values: list[Any] = [points, *self._values[1:]]
         for _, operation, i, j, k in self._steps:
             values[k] = _over(operation, values, i, j)
-        return list(map(acb, islice(values[self._end], len(points))))
+        found = values[self._end]
+        return list(map(acb, found if isinstance(found, list) else [found] * len(points)))
 
     def __call__(self, z: acb, analytic: bool) -> acb:
         """Evaluate a function of one variable as FLINT's quadrature requires."""
@@ -196,15 +197,17 @@ class Compiled:
         return len(self._values) - 1
 
 
-def _over(
-    operation: Operation, values: list[Any], i: int, j: int | tuple[int, ...] | None
-) -> list[Any]:
-    """Return an operation at each point of lists."""
-    if j is None:
-        return list(map(operation, values[i]))
-    if isinstance(j, int):
-        return list(map(operation, values[i], values[j]))
-    return list(map(operation, values[i], *[values[n] for n in j]))
+def _all_finite(found: Any) -> bool:
+    return all(map(arb.is_finite, found)) if isinstance(found, list) else bool(found.is_finite())
+
+
+def _over(operation: Operation, values: list[Any], i: int, j: int | tuple[int, ...] | None) -> Any:
+    """Return an operation at each point: of lists a list, of numbers alone a number."""
+    places = (i,) if j is None else (i, j) if isinstance(j, int) else (i, *j)
+    operands = [values[n] for n in places]
+    if not any(isinstance(x, list) for x in operands):
+        return operation(*operands)
+    return list(map(operation, *[x if isinstance(x, list) else repeat(x) for x in operands]))
 
 
 def _rational_power(r: fmpq, x: arb) -> arb:
