@@ -16,6 +16,7 @@ from __future__ import annotations
 from tresym.proofs import (
     euler_angles,
     flip_dynamics,
+    model,
     monotonicity,
     orders,
     phase_portraits,
@@ -24,7 +25,6 @@ from tresym.proofs import (
     turn_integral,
 )
 from tresym.proofs.conditions import STANDARD, defect, shape, shape_of_a_body, standard_racket
-from tresym.proofs.model import angular_velocity
 from tresym.proofs.printed import inputs, moments, number, share_of_pi
 from tresym.proofs.turning import chi, edge, longest_turn, one_turned_level, phase, raised
 
@@ -405,7 +405,7 @@ _rate = printed.psi_rate(psi, a, b, gamma, S, sympy)
 angular_velocity_of_the_handle = Claim(
     says=equal(W1, dphi_dt * (dpsi_dphi + cos(theta))),
     given=(dphi_dt > 0,),
-    proof=by(substituting(angular_velocity, euler_angles.elimination_of_time)),
+    proof=by(substituting(model.angular_velocity, euler_angles.elimination_of_time)),
 )
 
 initial_rate_is_angular_velocity = Claim(

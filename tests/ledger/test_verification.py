@@ -162,7 +162,7 @@ def test_a_label_loads_the_files_in_which_it_is_written_and_no_others() -> None:
     )
     labels, loaded = said.stdout.splitlines()
     assert labels.split() == [row.claim.label for row in verify(["eq_gamma"]).rows]
-    assert "tresym.proofs.model" in loaded
+    assert "tresym.proofs.conditions" in loaded
     assert "tresym.proofs.turning" not in loaded
 
 

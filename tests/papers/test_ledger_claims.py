@@ -304,6 +304,57 @@ open: in words, from wrong expect refuted at x == 0
         read(tmp_path, "one: x**2 >= 0\nsaid: in words, from one given x > 0\n> says: So it is.")
 
 
+def test_matrices(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """Omega1, Omega2 real
+about(x) := (cos(x), -sin(x); sin(x), cos(x))
+v := (a; b)
+turn := about(a)*about(b)
+orthogonal: transposed(turn)*turn == (1, 0; 0, 1)
+sum: written_out(about(a), about(b)) == about(a + b)
+full: about(a + 2*pi) == about(a)
+slope: transposed(turn)*diff(turn, a) == (0, -1; 1, 0) and v_1 == a
+let first: Omega1 := turn_11, Omega2 := turn_21
+column: about(a + b)*(1; 0) == (Omega1; Omega2) using first
+wrong_sign: transposed(turn)*diff(turn, a) == (0, 1; -1, 0)
+wrong_sum: written_out(about(a), about(b)) == about(a - b)
+half: about(a + pi) == about(a)
+wrong_column: about(a + b)*(1; 0) == (Omega2; Omega1) using first
+scaled: 2*v - v == v + (0; 1)
+""",
+    )
+    found = verdicts(part)
+    true = {label for label, verdict in found.items() if verdict in ("PROVED", "DEFINED")}
+    assert true == {"orthogonal", "sum", "full", "slope", "first", "column"}
+    assert found["half"] == found["scaled"] == found["wrong_sign"] == "REFUTED"
+    assert isinstance(part.column.says.lhs, sympy.ImmutableMatrix)
+    for text in (
+        "fits: (a; b) == (a, b)",
+        "product: (a; b)*(a; b) == (a; b)",
+        "order: (a; b) <= (a; b)",
+        "lost: (a/b; 1)*b == (a; b)",
+        "called: inverse((a; b)) == (a; b)",
+    ):
+        with pytest.raises(InputError):
+            read(tmp_path, text)
+
+
+def test_parts_of_claims_are_shown_by_them(tmp_path: Path) -> None:
+    part = read(
+        tmp_path,
+        """both: x**2 >= 0 and (y > 0 given y > 1)
+one: x**2 >= 0 shown by parts of both
+other: y > 0 given y > 2 shown by parts of both
+wider: y > 0 given y > -1 shown by parts of both
+none: x > 0 shown by parts of both
+""",
+    )
+    found = verdicts(part)
+    assert found["one"] == found["other"] == "PROVED"
+    assert "PROVED" not in (found["wider"], found["none"])
+
+
 def test_what_an_equation_defines(tmp_path: Path) -> None:
     part = read(
         tmp_path,

@@ -27,6 +27,8 @@ This is how each line is understood:
   function ``f(x)`` is a vector, its components are ``f_1(x)``, ``f_2(x)``, and so on.
 - ``knowing x > 0, (y > 0 given 0 < y)`` names inequalities that are shown first, each with those
   before it, and are used then, those with conditions of their own for variables of integrals.
+- A matrix is written row by row, ``(a, b; c, d)``, a column ``(a; b)``
+  (:mod:`tresym.papers.matrices`).
 - ``using label, label`` names the claims above on which a claim rests: what is an equation is put
   in, other comparisons become conditions.
 - ``let name: y := root of label, condition`` defines y as the only root of which a claim ``exactly
@@ -87,7 +89,7 @@ from pathlib import Path
 from typing import Any
 
 import sympy
-from sympy import Basic, Eq, Ge, Le, Symbol, Tuple
+from sympy import Basic, Eq, Ge, ImmutableMatrix, Le, Symbol, Tuple
 from sympy import Expr as Expression
 from sympy.core.relational import Relational
 
@@ -148,6 +150,7 @@ from tresym.ledger.statements import (
     order,
 )
 from tresym.papers.definitions import Definition as Abbreviation
+from tresym.papers.matrices import Matrices, Matrix, MatrixFunction, entries
 from tresym.papers.reading import CLAUSE, DEFINED, OwnPaper, Reader, clauses_of, near
 from tresym.papers.ways_to_show import Line, way_to_show
 from tresym.reals.domain.operation_domains import needs
@@ -219,7 +222,7 @@ class Part:
         title: its title.
         claims: its claims by label, in order.
         named: its conditions with a name.
-        shorthands: the expressions that it abbreviates, by name.
+        shorthands: the expressions and matrices that it abbreviates, by name.
         lines: the first and the last line of each claim in the file, by label.
     """
 
@@ -227,7 +230,7 @@ class Part:
     claims: Mapping[str, Claim]
     named: Mapping[str, tuple[Basic, ...]]
     lines: Mapping[str, tuple[int, int]]
-    shorthands: Mapping[str, Expression] = field(default_factory=dict)
+    shorthands: Mapping[str, Expression | Matrix] = field(default_factory=dict)
 
     @property
     def values(self) -> Mapping[str, Any]:
@@ -268,6 +271,7 @@ def read_part(path: Path, others: Callable[[str], Mapping[str, Any]]) -> Part:
         first = found.problems[0]
         raise InputError(f"{path.name}:{first.line}:{first.column}: {first.message}")
     made = {d.name: _in_sympy(d.expression) for d in found.definitions.values() if not d.parameters}
+    made |= reader.matrices.known
     return Part(found.title, reader.own, reader.named, reader.lines, made)
 
 
@@ -305,6 +309,9 @@ class _Reader(Reader):
         self.converted: list[tuple[Expr, Any]] = []
         """The sides of the claim that is read, as they stand and as SymPy writes them."""
         self.waiting: _Waiting | None = None
+        self.matrices = Matrices(self._entry)
+        self.entries: list[Expr] = []
+        """The numbers that stand in the equation of matrices that is read."""
 
     def read(self, text: str) -> OwnPaper:
         found = super().read(text)
@@ -431,6 +438,10 @@ class _Reader(Reader):
     def _statement(self, line: int, text: str) -> None:
         if self.waiting is not None and line > self.waiting.end + 1:
             self._finish()
+        match = DEFINED.fullmatch(text)
+        if match is not None and not text.startswith(">") and self.matrices.stand_in(match[3]):
+            self._define_matrix(line, match[1], match[2], match[3])
+            return
         super()._statement(line, text)
 
     # Names
@@ -465,6 +476,8 @@ class _Reader(Reader):
             value = known[name]
             if isinstance(value, Axiom):
                 self.axioms[name] = value
+            elif isinstance(value, ImmutableMatrix | MatrixFunction):
+                self.matrices.known[name] = value
             elif isinstance(value, Charts):
                 self.charts[name] = value
             elif isinstance(value, Claim):
@@ -743,6 +756,8 @@ class _Reader(Reader):
             return Infimum(*(_in_sympy(self._tree(side)) for side in match.groups()))
         if encloses(text) and (parts := split(text[1:-1], r"\bgiven\b"))[1:]:
             return Under(self._says(parts[0].strip()), Tuple(*self._given(parts[1])))
+        if self.matrices.stand_in(text):
+            return self._of_matrices(text)
         whole = read_compound(self._called(text))
         if whole is not None:
             return self._formula_of(mapped(whole.formula, self._put))
@@ -750,6 +765,48 @@ class _Reader(Reader):
         links = list(_derived(links))
         relations = [self._relation(link) for link in links]
         return relations[0] if len(relations) == 1 else Tuple(*relations)
+
+    def _define_matrix(self, line: int, name: str, arguments: str | None, text: str) -> None:
+        self._need_new(name)
+        if name in self.matrices.known:
+            raise InputError(f"{name} is a matrix already")
+        if arguments is None:
+            found = self.matrices.known[name] = self.matrices.read(text)
+            for entry, value in entries(name, found):
+                self._abbreviate(line, entry, (), value)
+            return
+        names = [argument.strip() for argument in arguments.split(",")]
+        within = replace(self.matrices, scalar=lambda e: self._entry(e, names))
+        parameters = tuple(_in_sympy(symbol(argument)) for argument in names)
+        self.matrices.known[name] = MatrixFunction(parameters, within.read(text))
+
+    def _entry(self, text: str, parameters: Sequence[str] = ()) -> Expression:
+        """A number that stands in an expression with matrices."""
+        e = as_written(plain(self._called(text)))
+        self._need_known(symbols(e) - {*parameters})
+        put = self._put(e)
+        self._need_functions((put,))
+        self.entries.append(put)
+        made: Expression = _in_sympy(put)
+        return made
+
+    def _of_matrices(self, text: str) -> Basic:
+        """Equations of matrices, beside other claims."""
+        found: list[Basic] = []
+        for part in map(str.strip, split(text, r"\band\b")):
+            if not self.matrices.stand_in(part):
+                found += parts_of(self._says(part))
+                continue
+            self.entries = []
+            sides = [self.matrices.read(side) for side in split(part, _SIGN)]
+            if len(sides) != 2 or len(split(part, "==")) != 2:
+                raise InputError(f"'{part}': matrices are compared by one equation A == B")
+            if sides[0].shape != sides[1].shape:
+                raise InputError(f"'{part}': {sides[0].shape} and {sides[1].shape} do not fit")
+            whole = sympy.Add(*sides[0], *sides[1], evaluate=False)
+            self.converted += [(entry, whole) for entry in self.entries]
+            found.append(Eq(*sides, evaluate=False))
+        return found[0] if len(found) == 1 else Tuple(*found)
 
     def _along(self, text: str) -> tuple[dict[Symbol, Expression], Relational | None]:
         """A curve ``x == t, y == -t`` along which an order fails as t tends to 0 from above.

@@ -26,6 +26,7 @@ A hint names a method, and never a result: each of them is judged as any evidenc
   the derivative of f has one sign.
 - ``BOUND approached by ABOVE along x == 1/t``: v is the infimum of e, as BOUND says that e > v, and
   ABOVE that e < v + r, where r tends to 0 as t tends to 0 from above.
+- ``parts of LABEL, LABEL``: each part of the statement is one of the claims that are named.
 """
 
 from __future__ import annotations
@@ -46,6 +47,7 @@ from tresym.ledger.claim import (
     ImplicitFunction,
     InfimumBy,
     MonotoneOf,
+    all_of,
 )
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charts
@@ -55,6 +57,7 @@ from tresym.reals.language.brackets import split
 from tresym.reals.numbers.exact import InputError
 
 _BOXES = re.compile(r"(stored\s+)?boxes")
+_PARTS = re.compile(r"parts\s+of\s+(.+)", re.DOTALL)
 _CHARTS = re.compile(r"charts\s+(\w+)")
 _VARIABLES = re.compile(r"variables\s+(.+)", re.DOTALL)
 _IS = re.compile(r"(\w+)\s*==\s*(.+)", re.DOTALL)
@@ -129,6 +132,8 @@ def way_to_show(text: str, line: Line) -> Evidence:
         return InfimumBy(line.claim(match[1]), line.claim(match[2]), along, line.uses)
     if line.uses:
         raise InputError(f"'{text}' names the claims behind it, so that nothing stands after using")
+    if match := _PARTS.fullmatch(text):
+        return all_of(*(line.claim(label.strip()) for label in match[1].split(",")))
     if match := _SLOPE.fullmatch(text):
         return FromSlope(line.claim(match[1]), line.claim(match[2]))
     if match := _EDGE.fullmatch(text):
