@@ -91,7 +91,6 @@ def test_definitions_conditions_and_premises_hold_together_somewhere() -> None:
         "d15",
         "eq_dthetadphi",
         "exponent_left_out",
-        "cotangent_at_root",
         "planar_constraint",
     }
 

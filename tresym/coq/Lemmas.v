@@ -1,4 +1,4 @@
-(* Lemmas of analysis that proofs apply: roots by their residual, sums, differential inequalities. *)
+(* Lemmas of analysis that proofs apply: roots by their residual, sums, integrals, differential inequalities. *)
 
 (* A root of f is near h if f h is small and the slope is at least m > 0 between them. *)
 Lemma root_by_residual (f df : R -> R) x h m g : 0 < m ->
@@ -214,6 +214,150 @@ Proof.
     { induction k as [|k IH]; [simpl; ring | rewrite !terms_first, IH; ring]. }
     rewrite E in T; apply Rabs_le_between in T; apply Rabs_le; lra.
   - pose proof (trapezoids f F f1 low D D1 M n) as T; apply Rabs_le_between in T; apply Rabs_le; lra.
+Qed.
+
+(* Watson's lemma. The integrals of t^n e^(-x t) from 0 to T are n!/x^(n+1) and a rest that vanishes
+   as T grows; so a function whose difference from a polynomial is at most C t^n e^(c t) has an
+   integral with e^(-x t) that is the sum of these, up to C n!/(x - c)^(n+1). *)
+Fixpoint power_rest (n : nat) (x t : R) : R := match n with
+  | O => - exp (- x * t) / x
+  | S m => - t ^ S m * exp (- x * t) / x + INR (S m) / x * power_rest m x t
+  end.
+Lemma power_rest_slope n x t : 0 < x -> is_derive (power_rest n x) t (t ^ n * exp (- x * t)).
+Proof.
+  intros X; induction n as [|n IH]; cbn [power_rest].
+  - auto_derive; [exact I | field; lra].
+  - eapply d_eq.
+    + apply (d_plus (fun t => - t ^ S n * exp (- x * t) / x) (fun t => INR (S n) / x * power_rest n x t)).
+      * apply (d_div (fun t => - t ^ S n * exp (- x * t)) (fun _ => x)); [| apply d_const | lra].
+        apply (d_mult (fun t => - t ^ S n) (fun t => exp (- x * t))).
+        { apply (d_opp (fun t => t ^ S n)), (d_pow (fun t => t)), d_id. }
+        apply (d_exp (fun t => - x * t)), (d_mult (fun _ => - x) (fun t => t)); [apply d_const | apply d_id].
+      * apply (d_mult (fun _ => INR (S n) / x) (power_rest n x)); [apply d_const | exact IH].
+    + simpl pred; field; lra.
+Qed.
+Lemma power_rest_start n x : 0 < x -> power_rest n x 0 = - (INR (fact n) / x ^ S n).
+Proof.
+  intros X; induction n as [|n IH]; cbn [power_rest].
+  - rewrite Rmult_0_r, exp_0; simpl; field; lra.
+  - rewrite IH, fact_simpl, mult_INR, pow_i by lia; rewrite <- !(tech_pow_Rmult x); field.
+    split; [apply pow_nonzero; lra | lra].
+Qed.
+Lemma power_rest_sign n x t : 0 < x -> 0 <= t -> power_rest n x t <= 0.
+Proof.
+  intros X T; pose proof (exp_pos (- x * t)) as E; assert (J : 0 < / x) by now apply Rinv_0_lt_compat.
+  induction n as [|n IH]; cbn [power_rest]; unfold Rdiv.
+  - apply Rle_trans with (- (exp (- x * t) * / x)); [right; ring |].
+    pose proof (Rmult_lt_0_compat _ _ E J); lra.
+  - assert (P : 0 <= t ^ S n * exp (- x * t) * / x) by (repeat apply Rmult_le_pos; try lra; now apply pow_le).
+    assert (Q : 0 <= INR (S n) * / x) by (apply Rmult_le_pos; [apply pos_INR | lra]).
+    replace (- t ^ S n * exp (- x * t) * / x) with (- (t ^ S n * exp (- x * t) * / x)) by ring.
+    pose proof (Rmult_le_compat_l _ _ _ Q IH); lra.
+Qed.
+Lemma power_vanishes n : forall x, 0 < x -> is_lim (fun t => t ^ n * exp (- x * t)) p_infty 0.
+Proof.
+  assert (L : forall x, 0 < x -> is_lim (fun t => - x * t) p_infty m_infty).
+  { intros x X; replace m_infty with (Rbar_mult (- x) p_infty).
+    - apply is_lim_scal_l, is_lim_id.
+    - simpl; destruct (Rle_dec 0 (- x)); [exfalso; lra |]; reflexivity. }
+  induction n as [|n IH]; intros x X.
+  - apply (is_lim_ext (fun t => exp (- x * t))); [intros t; simpl; ring |].
+    apply (is_lim_comp exp (fun t => - x * t) p_infty 0 m_infty is_lim_exp_m (L x X)).
+    exists 0; intros t _; discriminate.
+  - apply (is_lim_ext (fun t => (- 2 / x) * ((- (x / 2) * t) * exp (- (x / 2) * t)) * (t ^ n * exp (- (x / 2) * t)))).
+    { intros t; replace (- x * t) with (- (x / 2) * t + - (x / 2) * t) by field.
+      rewrite exp_plus, <- tech_pow_Rmult; field; lra. }
+    replace (Finite 0) with (Rbar_mult 0 0) by (simpl; f_equal; ring).
+    apply is_lim_mult; [| apply IH; lra | exact I].
+    pose proof (is_lim_scal_l (fun t => - (x / 2) * t * exp (- (x / 2) * t)) (- 2 / x) p_infty 0) as K.
+    simpl in K; rewrite Rmult_0_r in K; apply K.
+    apply (is_lim_comp (fun y => y * exp y) (fun t => - (x / 2) * t) p_infty 0 m_infty is_lim_mul_exp_m (L (x / 2) ltac:(lra))).
+    exists 0; intros t _; discriminate.
+Qed.
+Lemma lim_scaled (f : R -> R) k : is_lim f p_infty 0 -> is_lim (fun t => k * f t) p_infty 0.
+Proof.
+  intros H; pose proof (is_lim_scal_l f k p_infty 0 H) as L; simpl in L; rewrite Rmult_0_r in L; exact L.
+Qed.
+Lemma lim_sum (f g : R -> R) : is_lim f p_infty 0 -> is_lim g p_infty 0 -> is_lim (fun t => f t + g t) p_infty 0.
+Proof.
+  intros H K; replace (Finite 0) with (Finite (0 + 0)) by (f_equal; ring); now apply is_lim_plus'.
+Qed.
+Lemma power_rest_vanishes n x : 0 < x -> is_lim (power_rest n x) p_infty 0.
+Proof.
+  intros X; induction n as [|n IH]; cbn [power_rest].
+  - apply (is_lim_ext (fun t => (- / x) * (t ^ 0 * exp (- x * t)))); [intros t; simpl; field; lra |].
+    apply lim_scaled, power_vanishes, X.
+  - apply (is_lim_ext (fun t => (- / x) * (t ^ S n * exp (- x * t)) + INR (S n) / x * power_rest n x t)).
+    { intros t; field; lra. }
+    apply lim_sum; apply lim_scaled; [apply power_vanishes, X | exact IH].
+Qed.
+Lemma power_integral n x T : 0 < x ->
+  is_RInt (fun t => t ^ n * exp (- x * t)) 0 T (INR (fact n) / x ^ S n + power_rest n x T).
+Proof.
+  intros X; replace (INR (fact n) / x ^ S n + power_rest n x T) with (minus (power_rest n x T) (power_rest n x 0)).
+  - apply (is_RInt_derive (power_rest n x)); intros t _; [apply power_rest_slope, X |].
+    apply (ex_derive_continuous (fun t : R => t ^ n * exp (- x * t))); auto_derive; exact I.
+  - rewrite power_rest_start by exact X; unfold minus, plus, opp; simpl; ring.
+Qed.
+Lemma terms_integral (a : nat -> R) n x T : 0 < x ->
+  is_RInt (fun t => terms (fun k => a k * t ^ k) 0 n * exp (- x * t)) 0 T
+    (terms (fun k => a k * (INR (fact k) / x ^ S k)) 0 n + terms (fun k => a k * power_rest k x T) 0 n).
+Proof.
+  intros X; induction n as [|n IH].
+  - apply (is_RInt_ext (fun _ => 0)); [intros t _; simpl; ring |].
+    replace (_ + _) with (scal (T - 0) 0) by (unfold scal; simpl; unfold mult; simpl; ring).
+    apply (is_RInt_const (V := R_NormedModule)).
+  - rewrite !terms_first, Nat.add_0_l.
+    apply (is_RInt_ext (fun t => plus (terms (fun k => a k * t ^ k) 0 n * exp (- x * t)) (scal (a n) (t ^ n * exp (- x * t))))).
+    { intros t _; rewrite terms_first, Nat.add_0_l; unfold plus, scal; simpl; unfold mult; simpl; ring. }
+    replace (_ + _) with (plus (terms (fun k => a k * (INR (fact k) / x ^ S k)) 0 n + terms (fun k => a k * power_rest k x T) 0 n)
+      (scal (a n) (INR (fact n) / x ^ S n + power_rest n x T))) by (unfold plus, scal; simpl; unfold mult; simpl; ring).
+    exact (is_RInt_plus (V := R_NormedModule) _ _ 0 T _ _ IH (is_RInt_scal (V := R_NormedModule) _ 0 T (a n) _ (power_integral n x T X))).
+Qed.
+Lemma terms_vanish (a : nat -> R) n x : 0 < x ->
+  is_lim (fun T => terms (fun k => a k * power_rest k x T) 0 n) p_infty 0.
+Proof.
+  intros X; induction n as [|n IH]; [exact (is_lim_const 0 p_infty) |].
+  apply (is_lim_ext (fun T => terms (fun k => a k * power_rest k x T) 0 n + a n * power_rest n x T)).
+  { intros T; rewrite terms_first; reflexivity. }
+  apply lim_sum; [exact IH | apply lim_scaled, power_rest_vanishes, X].
+Qed.
+Lemma watson (f : R -> R) (a : nat -> R) (n : nat) (c x bound whole : R) : 0 < x -> c < x -> 0 <= bound ->
+  (forall t, 0 <= t -> continuous f t) ->
+  (forall t, 0 <= t -> Rabs (f t - terms (fun k => a k * t ^ k) 0 n) <= bound * t ^ n * exp (c * t)) ->
+  is_lim (fun T => RInt (fun t => f t * exp (- x * t)) 0 T) p_infty whole ->
+  Rabs (whole - terms (fun k => a k * (INR (fact k) / x ^ S k)) 0 n) <= bound * (INR (fact n) / (x - c) ^ S n).
+Proof.
+  intros X Y B C D L.
+  set (S0 := terms (fun k => a k * (INR (fact k) / x ^ S k)) 0 n).
+  assert (W : forall T, 0 <= T -> Rabs (RInt (fun t => f t * exp (- x * t)) 0 T - (S0 + terms (fun k => a k * power_rest k x T) 0 n))
+    <= bound * (INR (fact n) / (x - c) ^ S n)).
+  { intros T H; pose proof (terms_integral a n x T X) as P; fold S0 in P.
+    assert (E : is_RInt (fun t => f t * exp (- x * t)) 0 T (RInt (fun t => f t * exp (- x * t)) 0 T)).
+    { apply (RInt_correct (V := R_CompleteNormedModule)), ex_RInt_continuous; intros t I0.
+      rewrite Rmin_left in I0 by lra; apply (continuous_mult f (fun t => exp (- x * t))); [apply C; lra |].
+      apply (ex_derive_continuous (fun t : R => exp (- x * t))); auto_derive; exact I. }
+    pose proof (is_RInt_minus (V := R_NormedModule) _ _ 0 T _ _ E P) as M.
+    pose proof (is_RInt_scal (V := R_NormedModule) _ 0 T bound _ (power_integral n (x - c) T ltac:(lra))) as Q.
+    assert (N : forall t, 0 <= t <= T -> norm (minus (f t * exp (- x * t)) (terms (fun k => a k * t ^ k) 0 n * exp (- x * t)))
+      <= scal bound (t ^ n * exp (- (x - c) * t))).
+    { intros t I0; change (Rabs (f t * exp (- x * t) - terms (fun k => a k * t ^ k) 0 n * exp (- x * t)) <= bound * (t ^ n * exp (- (x - c) * t))).
+      replace (f t * exp (- x * t) - terms (fun k => a k * t ^ k) 0 n * exp (- x * t))
+        with ((f t - terms (fun k => a k * t ^ k) 0 n) * exp (- x * t)) by ring.
+      pose proof (exp_pos (- x * t)) as Z; rewrite Rabs_mult, (Rabs_pos_eq (exp _)) by lra.
+      replace (- (x - c) * t) with (c * t + - x * t) by ring; rewrite exp_plus.
+      pose proof (D t ltac:(lra)) as D1; apply (Rmult_le_compat_r (exp (- x * t))) in D1; lra. }
+    pose proof (norm_RInt_le (V := R_NormedModule) _ _ 0 T _ _ H N M Q) as G.
+    eapply Rle_trans; [exact G | change (bound * (INR (fact n) / (x - c) ^ S n + power_rest n (x - c) T) <= bound * (INR (fact n) / (x - c) ^ S n))].
+    pose proof (power_rest_sign n (x - c) T ltac:(lra) H); apply Rmult_le_compat_l; lra. }
+  assert (M : is_lim (fun T => Rabs (RInt (fun t => f t * exp (- x * t)) 0 T - (S0 + terms (fun k => a k * power_rest k x T) 0 n)))
+    p_infty (Rabs (whole - S0))).
+  { apply (is_lim_Rabs _ p_infty (whole - S0)).
+    replace (Finite (whole - S0)) with (Finite (whole - (S0 + 0))) by (f_equal; ring).
+    apply is_lim_minus'; [exact L | apply is_lim_plus'; [exact (is_lim_const S0 p_infty) | apply terms_vanish, X]]. }
+  refine (is_lim_le_loc (fun T => Rabs (RInt (fun t => f t * exp (- x * t)) 0 T - (S0 + terms (fun k => a k * power_rest k x T) 0 n)))
+    (fun _ => bound * (INR (fact n) / (x - c) ^ S n)) p_infty _ _ _ M (is_lim_const _ p_infty)).
+  exists 0; intros T H; apply W; lra.
 Qed.
 Section Sums.
 Implicit Types (s u v w g : nat -> R).
