@@ -177,7 +177,11 @@ def _one_edit(case: Case) -> bool:
 
 
 def _is_small(old: str, new: str) -> bool:
-    """Whether a misprint changes so little: a sign, a number, a letter, an exponent, a function."""
+    """Whether a misprint changes so little: a sign, a number, a letter, an exponent, a
+    function, or a fraction upside down."""
+    upper, over, lower = old.strip("()").partition(")/(")
+    if over and new == f"({lower})/({upper})":
+        return True  # a fraction upside down
     one, other = (_TOKEN.findall(text.replace("nothing", "")) for text in (old, new))
     changes = SequenceMatcher(None, one, other, autojunk=False).get_opcodes()
     changed = sum(max(b - a, d - c) for tag, a, b, c, d in changes if tag != "equal")
@@ -285,6 +289,8 @@ def _is_far(case: Case) -> bool:
 
 def _is_one_sided(case: Case) -> bool:
     own, other = (symbols(side) for side in case.sides[::2])
+    if case.row.put:
+        return False  # a definition stands for one of them
     return bool(case.names) and not (own <= other or other <= own) and elementary(*case.sides[::2])
 
 
