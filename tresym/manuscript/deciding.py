@@ -455,12 +455,19 @@ def under_also(claim: str, more: str) -> str:
 def _of_both(
     first: tuple[Row, list[Answer | InputError]], second: tuple[Row, list[Answer | InputError]]
 ) -> Row:
-    """Return the row of a link with two readings: proved if both are, else UNREAD."""
+    """Return the row of a link with two readings: proved if both are, SUSPECT if both are false,
+    else UNREAD."""
     (one, _), (other, _) = first, second
     if one.status in PASSES and other.status in PASSES:
         weaker = max((one, other), key=lambda row: PASSES.index(row.status))
         both = f"in both readings of the formula, {one.link.read_as} and {other.link.read_as}"
         return replace(weaker, why=f"{weaker.why}; {both}")
+    verdicts = {_verdict(found) for _, found in (first, second)}
+    chained_on = one.link.number > 1 and one.link.same  # the first link may be an equation
+    clear = chained_on and not one.link.ground.doubts and one.refuted
+    if verdicts == {Verdict.REFUTED.value} and clear:
+        both = f"it fails in both readings, {one.link.read_as} and {other.link.read_as}"
+        return replace(one, status="SUSPECT", why=f"{both}: {one.why}")
     told = " and ".join(
         f"{row.link.read_as} is {_verdict(found)}" for row, found in (first, second)
     )
