@@ -140,7 +140,8 @@ def weighed(row: Row, others: Sequence[Row] = ()) -> Row:
     """
     case = Case(row, tuple(others))
     found = [one for one in (*SUPPORTS, *DOUBTS) if one.holds(case)]
-    if sum(one.weight for one in found) >= ENOUGH:
+    false = row.status == Verdict.REFUTED.value or bool(row.refuted)  # and not only unlikely
+    if false and sum(one.weight for one in found) >= ENOUGH:
         at = row.witness if row.witness is not None else row.fails_at
         return replace(row, status=Verdict.REFUTED.value, witness=at)
     lacking = next((one.says for one in found if one.weight < 0), "")
