@@ -468,6 +468,20 @@ other_value: z < 1 given range, x < 2 using cubic by residual 3 - x > 0
 at_two: z > 9/10 given x == 2 using cubic by residual (9/10)**3 + 9/10 - 2 < 0
 beyond: z > 9/10 given range, x > 2 shown by rises from x == 2 in at_two
 before: z > 9/10 given range, x < 2 shown by rises from x == 2 in at_two
+one_time: at most one y in (0, 2): integral(exp(t*a), t, 0, y) == b
+  given a > 0 by slope exp(y*a) [inside 0] > 0
+many_times: at most one y in (0, 2): integral(1 - a*t, t, 0, y) == b
+  given a > 0 by slope 1 - a*y [inside 0] > 0
+wrong_slope: at most one y in (0, 2): integral(exp(t*a), t, 0, y) == b
+  given a > 0 by slope exp(y*a) + 1 [inside 0] > 0
+faster: diff(integral(exp(t*a), t, 0, y), a)
+  == integral(t*exp(t*a), t, 0, y) [inside t*exp(t*a)] > 0 given y > 0
+not_faster: diff(integral(exp(t*a), t, 0, y), a)
+  == integral(2*t*exp(t*a), t, 0, y) [inside 2*t*exp(t*a)] > 0 given y > 0
+less: integral(exp(t*a), t, 0, y) - integral(t**2, t, 0, y) < integral(exp(t*a), t, 0, y)
+  given y > 0
+not_less: integral(exp(t*a), t, 0, y) - integral(t, t, -1, 0) < integral(exp(t*a), t, 0, y)
+  given y > 0
 double: increasing(2*z, x) given range shown by monotony of rises
 turned: increasing(-2*z, x) given range shown by monotony of rises
 steep: diff(x + x**3, x) > 0 given x >= 0, x <= 5
@@ -496,6 +510,7 @@ not_large: z < 5/4 given range using cubic expect refuted
         "bounded_a",
         "too_low",
     }
+    false |= {"many_times", "wrong_slope", "not_faster", "not_less"}
     false |= {"below_half", "other_value", "before", "turned", "left"}
     assert {label for label in found if found[label] in ("PROVED", "ENCLOSED", "DEFINED")} == {
         *found

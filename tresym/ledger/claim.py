@@ -204,8 +204,19 @@ class UniqueRoot:
 class Monotone:
     """Evidence that an equation has at most one root: left side minus right side is increasing."""
 
-    slope: Chain
-    """A chain from the derivative of the difference to a form that is provably positive."""
+    slope: Any
+    """A chain from the derivative of the difference to a form that is provably positive. Or
+    evidence that the engine decides it."""
+
+    @property
+    def chains(self) -> tuple[Chain, ...]:
+        """The chains of the evidence."""
+        return (self.slope,) if isinstance(self.slope, tuple) else self.slope.chains
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """What the engine uses."""
+        return getattr(self.slope, "claims", ())
 
 
 @dataclass(frozen=True)
@@ -826,7 +837,7 @@ def _chains(proof: Evidence) -> tuple[Chain, ...]:
             return chains
         case UniqueRoot():
             return proof.derivative, proof.at_low, proof.at_high
-        case ImplicitFunction() | Monotone():
+        case ImplicitFunction():
             return (proof.slope,)
         case tuple():
             return (proof,)
@@ -853,7 +864,9 @@ def with_reasons(proof: Evidence, changed: Callable[[Reason], Reason], *more: Re
         case UniqueRoot():
             ends = chain(proof.at_low), chain(proof.at_high)
             return UniqueRoot(chain(proof.derivative), *ends)
-        case ImplicitFunction() | Monotone():
+        case ImplicitFunction():
+            return replace(proof, slope=chain(proof.slope))
+        case Monotone() if isinstance(proof.slope, tuple):
             return replace(proof, slope=chain(proof.slope))
         case tuple():
             return chain(proof)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sympy import Basic, Derivative, Eq, Subs
+from sympy import Basic, Derivative, Eq, Gt, Lt, Subs
 
 from tresym.checking.dispatch import decide_claim
 from tresym.ledger.claim import Chain, Claim, ImplicitFunction, Monotone, UniqueRoot, by, equal
 from tresym.ledger.conversion import Conditions, conditions, definitions, formula, tree
 from tresym.ledger.counterexamples import rootless
 from tresym.ledger.evidence.chain import check_chain, unmet_condition
+from tresym.ledger.evidence.decided import Decided, judge_decided
 from tresym.ledger.evidence.integrals import NotShownError, need, need_smooth, under_binder
 from tresym.ledger.evidence.satisfiability import satisfiable
 from tresym.ledger.evidence.sign_prover import continuous_on, manifest_sign, undefined
@@ -25,6 +26,7 @@ from tresym.reals.language.binders import derivative, worked_out
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import ZERO, Expr, substitute, symbols
 from tresym.reals.language.formula import Compared, Relation
+from tresym.reals.language.to_sympy import to_sympy
 
 
 def judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
@@ -97,9 +99,21 @@ def judge_at_most_one(claim: Claim, proof: Monotone) -> Finding:
     given = without(name, conditions(claim.given))
     inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
     need_smooth(difference, inside)
-    rising = Relation(differentiate(difference, name), ">", ZERO)
-    steps = check_chain(rising, proof.slope, inside)
-    need_all(steps)
+    slope = differentiate(difference, name)
+    if isinstance(proof.slope, Decided):
+        x = says.variable
+        plain = tuple(c for c in claim.given if x not in c.free_symbols)
+        ends = Gt(x, says.low, evaluate=False), Lt(x, says.high, evaluate=False)
+        rising = Gt(to_sympy(slope), 0, evaluate=False)
+        asked = replace(
+            claim, says=rising, means=None, given=(*plain, *ends), proof=proof.slope, knowing=()
+        )
+        found = judge_decided(asked, proof.slope)
+        need(found.verdict is PROVED, f"could not show that {slope} > 0: {found.why}")
+        steps = found.steps or (StepFinding(PROVED, found.why),)
+    else:
+        steps = check_chain(Relation(slope, ">", ZERO), proof.slope, inside)
+        need_all(steps)
     return Finding(PROVED, "left side minus right side is increasing on the interval", steps=steps)
 
 

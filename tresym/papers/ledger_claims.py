@@ -39,7 +39,9 @@ This is how each line is understood:
   [one] and v > 0 [two, three]`` each part is shown by the claims behind it.
 - A step between integrals may name a rule there: ``[u = t**2]`` is a change of the variable t,
   ``[cut at 1]`` divides the interval, ``[antiderivative log(t)]`` is put in at both ends, by ``[one
-  integral]`` a sum is one over one interval. What the rule requires is checked.
+  integral]`` a sum is one over one interval, and ``[inside -t**2]`` is the derivative of an
+  integrand under the integral sign. What the rule requires is checked, with the bounds that the
+  step names.
 - ``one: two and three`` claims again what others claim.
 - ``f == O(g) as x -> 0+`` is an order along a path, uniform in all other variables.
 - ``given x ~= 1.21`` is a printed input, and in ``label: e ~= 0.115`` the number is printed; it is
@@ -58,7 +60,8 @@ This is how each line is understood:
 - ``using general, bound with x == 1/a`` shows that a claim is what the first claim used says of
   these values of its variables; the others serve to show its conditions there.
 - ``using root by slope u == v [one] > 0`` behind ``increasing(y, x)`` or ``decreasing(y, x)`` gives
-  the steps from the derivative by x of the equation whose only root is y to its sign.
+  the steps from the derivative by x of the equation whose only root is y to its sign; and behind
+  ``at most one x in (0, 1): f == g`` those from the derivative of f - g to ``> 0``.
 - ``y > v … using root by residual u == w < 0`` gives the steps from h(v) to its sign, where y is
   the only root of h that ``root`` defines; so y lies above v or below it.
 - ``f == O(g) as x -> oo … dominated by one, two`` names a bound of |f| by a multiple of a function
@@ -104,6 +107,7 @@ from tresym.ledger.claim import (
     Fault,
     Follows,
     Instance,
+    Monotone,
     Place,
     Printed,
     Reason,
@@ -130,6 +134,7 @@ from tresym.ledger.reasons import (
     citing,
     collecting,
     cutting,
+    differentiating_integral,
     integrating,
     substituting,
 )
@@ -190,6 +195,7 @@ from tresym.reals.verdict import Verdict
 OWN = {"E": "E_", "lambda": "lambda_"}
 """Symbols that the grammar gives another meaning, and what they are called while it reads."""
 _CLASS = {sign: getattr(sympy, name) for name, sign in RELATIONS.items()}
+_BOUND = sympy.Gt | sympy.Ge | sympy.Lt | sympy.Le | sympy.Ne
 _COUNTS = {"exactly one": ExactlyOne, "at most one": AtMostOne}
 _EQUILIBRIA = {"stable": StableEquilibrium, "unstable": UnstableEquilibrium}
 _SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
@@ -208,8 +214,13 @@ _ORDER = re.compile(
     r"(.*?)\s+as\s+(\w+)\s*->\s*0\s*(?:,\s*with\s+(.*?)\s+fixed)?(?:,\s*where\s+(.*))?", re.DOTALL
 )
 _BECAUSE = re.compile(r"(.*\S)\s+\[([^\[\]]*)\]\s*", re.DOTALL)
-_RULE = re.compile(r"(?:[^\W\d]\w*\s*=(?!=)|(cut\s+at|antiderivative)\b)\s*(.+)", re.DOTALL)
-_RULES = {None: changing_variable, "cut": cutting, "antiderivative": integrating}
+_RULE = re.compile(r"(?:[^\W\d]\w*\s*=(?!=)|(cut\s+at|antiderivative|inside)\b)\s*(.+)", re.DOTALL)
+_RULES = {
+    None: changing_variable,
+    "cut": cutting,
+    "antiderivative": integrating,
+    "inside": differentiating_integral,
+}
 _ROOT = re.compile(r"root\s+of\s+([\w-]+)")
 _PLACE = re.compile(r"(\d+)|(?:(line|display)\s+(\d+))?(?:(?:^|,\s*)cell\s+(.+))?")
 
@@ -638,7 +649,7 @@ class _Reader(Reader):
                 raise InputError("what is shown by a method has no steps, and no point")
             fields["proof"] = shown or _evidence(uses, (says, *given), steps, values)
             facts = self._facts(clauses.get("knowing", ""))
-            if facts and not isinstance(fields["proof"], Decided):
+            if facts and not isinstance(fields["proof"], Decided | Monotone):
                 raise InputError("'knowing' names what the engine is to show first")
             fields["knowing"] = facts
             if shown is None or "expect" in clauses:
@@ -698,6 +709,8 @@ class _Reader(Reader):
 
     def _by_slope(self, text: str, says: Basic, uses: list[Claim]) -> Evidence:
         """For each part, that a root is monotone by the sign of a slope, which steps lead to."""
+        if isinstance(says, AtMostOne):
+            return Monotone(self._signed(text, says, uses))
         root = next((claim for claim in uses if isinstance(claim.proof, Root)), None)
         if root is None or not all(isinstance(p, tuple(_SHAPES.values())) for p in parts_of(says)):
             raise InputError("'by slope' shows that a root is increasing or decreasing; use it")
@@ -870,9 +883,10 @@ class _Reader(Reader):
         named = [self.stated[word] for word in words if word in self.stated]
         uses += [claim for claim in named if claim not in uses]
         reasons = [substituting(*named)] if named else []
+        bounds = [claim for claim in named if all(isinstance(p, _BOUND) for p in claim.parts)]
         reasons += [collecting() for word in words if word == "one integral"]
         reasons += [
-            _RULES[rule[1] and rule[1].split()[0]](_in_sympy(self._tree(rule[2])))
+            _RULES[rule[1] and rule[1].split()[0]](_in_sympy(self._tree(rule[2])), *bounds)
             for rule in map(_RULE.fullmatch, words)
             if rule is not None
         ]

@@ -54,6 +54,7 @@ from tresym.ledger.evidence.integrals import (
     holds_integral,
     need,
     need_integrals,
+    sign_of_integral,
     with_bounds,
     without_integrals,
 )
@@ -77,10 +78,13 @@ from tresym.reals.language.expression import (
     instantiate,
     multiply,
     rebuild,
+    replaced,
     substitute,
+    symbol,
     symbols,
 )
 from tresym.reals.language.formula import Compared, Relation
+from tresym.reals.language.like_terms import collected
 from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.exact import parse_number
@@ -250,10 +254,11 @@ def _by_steps(claim: Claim, proof: Decided, says: Basic, given: Conditions) -> F
                 continue
             here = part.func if link is chain[-1] else Eq
             for r in _relations(here(left, right, evaluate=False), rules, meant):
-                if any(reason.name in RULES for reason in link.reasons):
+                ruled = any(reason.name in RULES for reason in link.reasons)
+                if ruled:
                     sides = without_integrals(r.left, r.right, link.reasons, meant)
                     r = Relation(sides[0], r.sign, sides[1])
-                answers.append(_decided(r, asked, meant, True))
+                answers.append(_decided(r, asked, meant, True, ruled))
             left = right
         need(left == last, "a chain must end at the right side of the equation")
     return _with_region(_found(answers, False), claim)
@@ -273,7 +278,11 @@ def _equivalent(first: Basic, second: Basic, rules: Rules, given: Conditions) ->
 
 
 def _decided(
-    relation: Relation, asked: tuple[Compared, ...], given: Conditions, defined_there: bool
+    relation: Relation,
+    asked: tuple[Compared, ...],
+    given: Conditions,
+    defined_there: bool,
+    integrals_exist: bool = False,
 ) -> Answer:
     """Return the answer of the engine, which is asked for normal forms and signs first.
 
@@ -282,25 +291,60 @@ def _decided(
         asked: the conditions, with definitions put in.
         given: all that is known, as conditions.
         defined_there: whether normal forms may be compared.
+        integrals_exist: whether the integrals in it are shown to exist already.
     """
     left, right = relation.left, relation.right
-    if defined_there and relation.sign == "==" and _binders_exist((left, right), given):
-        sides = worked_out(left), worked_out(right)
-        found = decide_continuous(*generalised(*sides), known(given))
+    exist = defined_there and relation.sign == "=="
+    if exist and _binders_exist((left, right), given, integrals_exist):
+        one, other = generalised(worked_out(left), worked_out(right))
+        found = decide_continuous(one, other, known(given))
         if found.verdict is Verdict.PROVED:
             return Answer(found.verdict, found.why, str(relation))
     if defined_there and relation.sign in ORDERINGS and is_manifest(relation, given):
         why = "the sign of the difference follows from those of its parts"
         return Answer(Verdict.PROVED, why, str(relation))
+    if defined_there and relation.sign in ORDERINGS and _by_integrands(relation, given):
+        why = "the signs of the integrands show that of the difference"
+        return Answer(Verdict.PROVED, why, str(relation))
     return decide_claim(stated(((left, relation.sign, right),), asked))
 
 
-def _binders_exist(sides: tuple[Expr, ...], given: Conditions) -> bool:
+def _by_integrands(relation: Relation, given: Conditions) -> bool:
+    """Return whether an inequality follows from signs of integrals, which their integrands show.
+
+    An integral of which a condition speaks exists.
+    """
+    up = relation.upward
+    difference = collected(up.left - up.right)
+    nodes = dict.fromkeys(outermost(difference))
+    if not nodes or any(node.op != "integral" for node in nodes):
+        return False
+    stated_ = dict.fromkeys(node for c in given for node in outermost(c.left, c.right))
+    numbers = {node: symbol(f"[{n}]") for n, node in enumerate({**nodes, **stated_})}
+    shown = []
+    for node in nodes:
+        try:
+            need_integrals(() if node in stated_ else (node,), given)
+            sign = sign_of_integral(node, (), given, up.sign == ">")
+        except NotShownError:
+            if node not in stated_:
+                return False
+            continue
+        if sign is not None:
+            shown.append(Relation(numbers[node], ">" if sign == "+" else ">=", ZERO))
+    # The conditions may speak of the same integrals, so they are renamed alike.
+    renamed = [
+        Relation(replaced(c.left, numbers), c.sign, replaced(c.right, numbers)) for c in given
+    ]
+    return is_manifest(Relation(replaced(difference, numbers), up.sign, ZERO), (*renamed, *shown))
+
+
+def _binders_exist(sides: tuple[Expr, ...], given: Conditions, integrals_exist: bool) -> bool:
     """Return whether each integral and derivative is shown to exist."""
     nodes = list(outermost(*sides))
     integrals = [node for node in nodes if holds_integral(node)]
     try:
-        need_integrals(integrals, given)
+        need_integrals(() if integrals_exist else integrals, given)
     except NotShownError:
         return False
     return _derivatives_exist(tuple(node for node in nodes if node not in integrals), given)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from tresym.ledger.claim import Claim, Definition, Reason, with_reasons
+from tresym.ledger.claim import Claim, Definition, Monotone, Reason, with_reasons
 from tresym.ledger.conversion import conditions, defined
 from tresym.ledger.evidence.chain import unmet_condition
 from tresym.ledger.evidence.decided import Decided
@@ -44,13 +44,16 @@ def by_facts(claim: Claim, facts: tuple[Claim, ...]) -> Claim:
     def known(reason: Reason) -> Reason:
         return replace(reason, claims=(*facts, *reason.claims)) if reason.name in RULES else reason
 
-    proof = claim.proof
-    if isinstance(proof, Decided):
+    def decided(proof: Decided) -> Decided:
         chains = (
             tuple(replace(link, reasons=tuple(map(known, link.reasons))) for link in chain)
             for chain in proof.steps
         )
-        return replace(
-            claim, knowing=(), proof=replace(proof, cited=(*facts, *proof.cited), steps=(*chains,))
-        )
+        return replace(proof, cited=(*facts, *proof.cited), steps=(*chains,))
+
+    proof = claim.proof
+    if isinstance(proof, Decided):
+        return replace(claim, knowing=(), proof=decided(proof))
+    if isinstance(proof, Monotone) and isinstance(proof.slope, Decided):
+        return replace(claim, knowing=(), proof=Monotone(decided(proof.slope)))
     return replace(claim, knowing=(), proof=with_reasons(proof, known, citing(*facts)))
