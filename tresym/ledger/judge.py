@@ -501,7 +501,8 @@ def _judge_relations(claim: Claim) -> Finding:
     relations = [entry for part in claim.parts for entry in scalars(part)]
     need(bool(relations), "the statement contains no relation that could be decided")
     for relation in relations:
-        need(isinstance(relation, Relational), f"{relation} is not a relation")
+        if not isinstance(relation, Relational):
+            raise NotShownError(f"{relation} is not a relation")
         refuted = partial(refute, relation, claim)
         finding = _unless(refuted, _without_chain, relation, claim)
         if finding.verdict is not PROVED:

@@ -412,8 +412,8 @@ def _relations(says: Basic, rules: Rules, given: Conditions) -> Iterator[Relatio
     """
     for part in parts_of(says):
         for relation in conjuncts(formula(part)):
-            need(isinstance(relation, Relation), f"{part} is not a relation between numbers")
-            assert isinstance(relation, Relation)
+            if not isinstance(relation, Relation):  # SymPy takes long to write a part
+                raise NotShownError(f"{part} is not a relation between numbers")
             left, right = (put_in(side, rules) for side in (relation.left, relation.right))
             for side, written in ((left, relation.left), (right, relation.right)):
                 gap = undefined(worked_out(side), given)

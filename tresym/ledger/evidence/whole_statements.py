@@ -14,7 +14,7 @@ from sympy import Basic, Symbol, Tuple
 from sympy.core.relational import Relational
 
 from tresym.ledger.conversion import Conditions, formula
-from tresym.ledger.evidence.integrals import need
+from tresym.ledger.evidence.integrals import NotShownError, need
 from tresym.ledger.evidence.sign_prover import undefined
 from tresym.ledger.statements import (
     AtMostOne,
@@ -132,8 +132,8 @@ class _Statement:
 
     def _link(self, part: Basic) -> Compared:
         relation = formula(part)
-        need(isinstance(relation, Relation), f"{part} is not a relation between numbers")
-        assert isinstance(relation, Relation)
+        if not isinstance(relation, Relation):
+            raise NotShownError(f"{part} is not a relation between numbers")
         return self.put(part.args[0]), relation.sign, self.put(part.args[1])
 
     def _need_defined(self, sides: tuple[Expr, ...], given: tuple[Compared, ...]) -> None:
