@@ -343,18 +343,19 @@ class RootBound:
 
     root: Claim
     sign: Any
-    """A chain for h(v) < 0 or h(v) > 0, whichever is needed. Or evidence that the engine decides
-    it."""
+    """Evidence that the engine decides h(v) < 0 or h(v) > 0, whichever is needed, by steps or not.
+    """
 
     @property
     def chains(self) -> tuple[Chain, ...]:
         """The chains of the evidence."""
-        return (self.sign,) if isinstance(self.sign, tuple) else self.sign.chains
+        found: tuple[Chain, ...] = self.sign.chains
+        return found
 
     @property
     def claims(self) -> tuple[Claim, ...]:
         """What the engine uses, and the definition of the root."""
-        return (*getattr(self.sign, "claims", ()), self.root)
+        return (*self.sign.claims, self.root)
 
 
 @dataclass(frozen=True)
@@ -369,19 +370,19 @@ class RootMonotone:
 
     root: Claim
     slope: Any
-    """A chain for the sign of ∂h/∂x at the root; it may substitute the equation of the root. Or
-    evidence that the engine decides it."""
+    """Evidence that the engine decides the sign of ∂h/∂x at the root; it may substitute the
+    equation of the root."""
 
     @property
     def chains(self) -> tuple[Chain, ...]:
         """The chains of the evidence."""
-        slope = self.slope
-        return (slope,) if isinstance(slope, tuple) else slope.chains
+        found: tuple[Chain, ...] = self.slope.chains
+        return found
 
     @property
     def claims(self) -> tuple[Claim, ...]:
         """The definition of the root, and what the engine uses."""
-        return (self.root, *getattr(self.slope, "claims", ()))
+        return (self.root, *self.slope.claims)
 
 
 @dataclass(frozen=True)

@@ -40,8 +40,9 @@ from tresym.ledger.claim import (
     manifest,
     step,
 )
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.judge import judge
-from tresym.ledger.reasons import algebra, citing, differentiation, evaluating
+from tresym.ledger.reasons import algebra, differentiation, evaluating
 from tresym.ledger.statements import (
     ExactlyOne,
     Infimum,
@@ -70,9 +71,7 @@ def one_root(equation: Any, slope: Any, low: Any, high: Any, *given: Any) -> Cla
 SMALL = (x > 0, x < 3)
 CUBIC = one_root(equal(y**3 + y, x), 3 * y**2 + 1, Integer(0), Integer(3), *SMALL)
 """z³ + z = x: between 0 and 3 for 0 < x < 3."""
-RISES = Claim(
-    "rises", StrictlyIncreasing(z, x), RootMonotone(CUBIC, (step(Integer(1)),)), given=SMALL
-)
+RISES = Claim("rises", StrictlyIncreasing(z, x), RootMonotone(CUBIC, Decided()), given=SMALL)
 
 
 def test_a_root_is_monotone_in_a_parameter() -> None:
@@ -87,34 +86,30 @@ def test_where_the_parameter_ranges_over_two_intervals_nothing_follows() -> None
     """x³ − 3x rises where x > 1 and where x < −1, and yet it is larger at −6/5 than at 6/5."""
     apart = (x**2 - 1 > 0, x < 4, x > -4)
     root = one_root(equal(y, x**3 - 3 * x), Integer(1), Integer(-1000), Integer(1000), *apart)
-    proof = RootMonotone(root, (step(3 * (x**2 - 1)),))
+    proof = RootMonotone(root, Decided())
     assert verdict(StrictlyIncreasing(z, x), proof, *apart) is not PROVED
     right = (x > 1, x < 4)
     root = one_root(equal(y, x**3 - 3 * x), Integer(1), Integer(-1000), Integer(1000), *right)
-    proof = RootMonotone(root, (step(3 * (x - 1) * (x + 1)),))
+    proof = RootMonotone(root, Decided())
     assert verdict(StrictlyIncreasing(z, x), proof, *right) is PROVED
 
 
 def test_a_parameter_must_be_free() -> None:
     """With x = c² it is no parameter; nor is it if the function has a symbol that x defines."""
     defined = Claim("defined", equal(x, c**2 + 1), Definition())
-    assert verdict(
-        RISES.says, RootMonotone(CUBIC, (step(Integer(1), citing(defined)),)), *SMALL
-    ) is (UNDECIDED)
+    assert verdict(RISES.says, RootMonotone(CUBIC, Decided(also=(defined,))), *SMALL) is (UNDECIDED)
     by_x = Claim("by_x", equal(c, 1 - 2 * x), Definition())
     root = one_root(equal(y, x + c), Integer(1), Integer(-9), Integer(9), *SMALL, c > -5, c < 1)
-    proof = RootMonotone(root, (step(Integer(1), citing(by_x)),))
+    proof = RootMonotone(root, Decided(also=(by_x,)))
     assert verdict(StrictlyIncreasing(z, x), proof, *SMALL, c > -5, c < 1) is UNDECIDED
 
 
 def test_a_bound_on_a_root() -> None:
-    assert verdict(z < x, RootBound(CUBIC, (step(x**3),)), *SMALL) is PROVED
-    assert verdict(z > x, RootBound(CUBIC, (step(-(x**3)),)), *SMALL) is REFUTED
-    assert (
-        verdict(z > x / 10, RootBound(CUBIC, (step(x - x / 10 - (x / 10) ** 3),)), *SMALL) is PROVED
-    )
-    assert verdict(z > 1, RootBound(CUBIC, (step(x - 2),)), *SMALL) is REFUTED
-    at_two = RootBound(CUBIC, (step(Integer(2) - Rational(1, 2) - Rational(1, 8)),))
+    assert verdict(z < x, RootBound(CUBIC, Decided()), *SMALL) is PROVED
+    assert verdict(z > x, RootBound(CUBIC, Decided()), *SMALL) is REFUTED
+    assert verdict(z > x / 10, RootBound(CUBIC, Decided()), *SMALL) is PROVED
+    assert verdict(z > 1, RootBound(CUBIC, Decided()), *SMALL) is REFUTED
+    at_two = RootBound(CUBIC, Decided())
     assert verdict(z > Rational(1, 2), at_two, Eq(x, 2)) is PROVED
     assert verdict(z > Rational(1, 2), at_two, *SMALL) is REFUTED
 
@@ -122,14 +117,14 @@ def test_a_bound_on_a_root() -> None:
 def test_a_bound_outside_the_ends_says_nothing() -> None:
     """y² = x has the root √x; at v = −6 the function is positive, and √x is not below it."""
     root = one_root(equal(y**2, x), 2 * y, Integer(0), Integer(6), *SMALL)
-    found = judged(claim(z < -6, RootBound(root, (step(36 - x),)), SMALL))
+    found = judged(claim(z < -6, RootBound(root, Decided()), SMALL))
     assert found.verdict is not PROVED
     assert not found.stopped  # by the rule itself, not by the independent check
 
 
 def test_a_root_is_defined_only_under_its_conditions() -> None:
-    assert verdict(z > 1, RootBound(CUBIC, (step(x - 2),)), x > 2, x < 3) is PROVED
-    found = judged(claim(z > 1, RootBound(CUBIC, (step(x - 2),)), (x > 2, x < 100)))
+    assert verdict(z > 1, RootBound(CUBIC, Decided()), x > 2, x < 3) is PROVED
+    found = judged(claim(z > 1, RootBound(CUBIC, Decided()), (x > 2, x < 100)))
     assert found.verdict is UNDECIDED
     assert not found.stopped
 
@@ -150,7 +145,7 @@ def test_a_function_that_jumps_has_no_values_between() -> None:
 def test_a_bound_for_all_values_from_one() -> None:
     """z > 1/2 at x = 1, and so for all larger x; not for smaller ones."""
     half = Rational(1, 2)
-    edge = Claim("edge", z > half, RootBound(CUBIC, (step(Rational(3, 8)),)), given=(Eq(x, 1),))
+    edge = Claim("edge", z > half, RootBound(CUBIC, Decided()), given=(Eq(x, 1),))
     proof = FromTheEdge(RISES, edge, Integer(1))
     assert verdict(z > half, proof, x >= 1, x < 3) is PROVED
     found = judged(claim(z > half, proof, (x > 0, x < 3)))
@@ -158,7 +153,7 @@ def test_a_bound_for_all_values_from_one() -> None:
     assert not found.stopped
     assert verdict(z > half, FromTheEdge(RISES, edge, Integer(2)), x >= 2, x < 3) is UNDECIDED
     assert verdict(z > half, proof, x >= 1) is UNDECIDED  # beyond 3 nothing is known
-    moving = Claim("moving", z > x / 3, RootBound(CUBIC, (step(Rational(2, 3) - Rational(1, 27)),)),
+    moving = Claim("moving", z > x / 3, RootBound(CUBIC, Decided()),
                    given=(Eq(x, 1),))  # fmt: skip
     assert verdict(z > x / 3, FromTheEdge(RISES, moving, Integer(1)), x >= 1, x < 3) is not PROVED
 

@@ -43,14 +43,12 @@ from sympy.core.relational import Ge, Gt, Le, Lt, Relational
 from tresym.asymptotics.order_claims import decide_order
 from tresym.checking.dispatch import decide_claim
 from tresym.ledger.claim import (
-    Chain,
     Claim,
     Dominated,
     FromSlope,
     FromTheEdge,
     InfimumBy,
     MonotoneOf,
-    Reason,
     Root,
     RootBound,
     RootMonotone,
@@ -318,20 +316,14 @@ def _behind(e: Basic, behind: Mapping[str, frozenset[str]]) -> frozenset[str]:
     return frozenset().union(*(behind.get(str(s), frozenset()) for s in e.free_symbols))
 
 
-def _bound(
-    claim: Claim, zero: _Zero, bound: Expr, relation: str, shown_by: Chain | Decided
-) -> Finding:
+def _bound(claim: Claim, zero: _Zero, bound: Expr, relation: str, shown_by: Decided) -> Finding:
     """Show that the root is related to the bound, by the sign of the function there."""
-    if isinstance(shown_by, Decided):
-        cite: tuple[Reason, ...] = (citing(*shown_by.cited),)
-    else:
-        cite = tuple(r for step in shown_by for r in step.reasons if r.name == "citing")
-    near = with_bounds(zero.given, cite)
+    near = with_bounds(zero.given, (citing(*shown_by.cited),))
     for wanted in (Relation(bound, ">=", zero.low), Relation(bound, "<=", zero.high)):
         need(is_manifest(wanted, near), f"could not show that {wanted}, between the ends")
     # The root lies above v if h(v) has the sign that h has at the lower end: − if h increases.
     sign = relation if zero.rises < 0 else FLIPPED[relation]
-    steps = _steps_to_sign(claim, zero.at(zero.h, bound), sign, shown_by, zero)
+    steps = _steps_to_sign(claim, zero.at(zero.h, bound), sign, shown_by)
     need_all(steps)
     why = f"the function whose zero is {zero.symbol} is {sign} 0 at the bound"
     return Finding(PROVED, why, steps=steps)
@@ -371,7 +363,7 @@ def judge_root_monotone(claim: Claim, proof: RootMonotone) -> Finding:
     start = zero.at(differentiate(zero.h, x.name), tree(zero.symbol))
     wanted = "<" if zero.rises * RISES[type(says)] > 0 else ">"
     try:
-        steps = _steps_to_sign(claim, start, wanted, proof.slope, zero)
+        steps = _steps_to_sign(claim, start, wanted, proof.slope)
         need_all(steps)
     except NotShownError:
         found = _not_monotone(claim)
@@ -383,11 +375,9 @@ def judge_root_monotone(claim: Claim, proof: RootMonotone) -> Finding:
 
 
 def _steps_to_sign(
-    claim: Claim, start: Expr, wanted: str, shown_by: Chain | Decided, zero: _Zero
+    claim: Claim, start: Expr, wanted: str, shown_by: Decided
 ) -> tuple[StepFinding, ...]:
     """Return the findings on the steps from an expression to its sign."""
-    if not isinstance(shown_by, Decided):
-        return check_chain(Relation(start, wanted, ZERO), shown_by, zero.given)
     sign = {">": Gt, ">=": Ge, "<": Lt, "<=": Le}[wanted]
     says = sign(to_sympy(start), 0, evaluate=False)
     plain = tuple(_values(claim)[1])  # the values that equations give are put in
