@@ -105,7 +105,7 @@ NIGHT = frozenset((TESTS / "data" / "night.txt").read_text(encoding="utf-8").spl
 
 
 SLOW = frozenset((TESTS / "data" / "slow.txt").read_text(encoding="utf-8").splitlines())
-"""Tests that take more than 0.15 seconds each, which `pytest` alone leaves out."""
+"""Tests that take more than 0.1 seconds each, which `pytest` alone leaves out."""
 
 
 TOOLS = ("dev/mutants/", "dev/corpus/", "report/charts/test_charts.py")
