@@ -1080,8 +1080,7 @@ def _evidence(
     single = len(steps) > 1 and all(map(len, named)) and {*map(len, steps)} == {1}
     if single and not any(isinstance(part, Eq) for part in parts_of(written[0])):
         rest = [c for c in uses if not any(c in claims for claims in named)]
-        parts = ([*claims, *rest] for claims in named)
-        return Follows(tuple(_evidence(claims, written, (), {}) for claims in parts))
+        return Follows(tuple(_evidence([*of, *rest], written, (), {}) for of in named))
     put, cited, also = [], [], []
     for claim in uses:
         parts = claim.parts if claim.in_formulas else ()
