@@ -26,7 +26,7 @@ from tresym.manuscript import prose
 from tresym.manuscript.accusations import DoubtKind
 from tresym.manuscript.deciding import PASSES, Row, under_also
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.language.binders import elementary
+from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import ZERO, Expr, add, apply, bind, opened, rebuild, symbols
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
@@ -269,7 +269,21 @@ def _is_of_units(case: Case) -> bool:
 
 
 def _is_under_condition(case: Case) -> bool:
-    return any(found.edit.startswith(GIVEN) for found in case.row.instead)
+    """Whether it holds under a condition, or with an absolute value: sqrt(u^2) = u for u > 0."""
+    edits = [found.edit for found in case.row.instead]
+    alone = bool(edits) and all(edit.startswith(("abs(", "-abs(")) for edit in edits)
+    return alone or any(edit.startswith(GIVEN) for edit in edits)
+
+
+def _is_without_limits(case: Case) -> bool:
+    """Whether one side alone is an indefinite integral: its limits may be left out."""
+    inside = [any(n.op == "antiderivative" for n in outermost(side)) for side in case.sides[::2]]
+    return inside[0] != inside[1] and any(not symbols(side) for side in case.sides[::2])
+
+
+def _is_equivalence(case: Case) -> bool:
+    """Whether its display has a sign that may join two equations."""
+    return "\\equiv" in case.row.link.display.text
 
 
 def _is_behind_remark(case: Case) -> bool:
@@ -317,7 +331,9 @@ DOUBTS = (
     Evidence("it may hold as a solution", -2, _is_solution),
     Evidence("its numbers may be rounded", -2, _is_of_decimals),
     Evidence("its numbers may have units", -2, _is_of_units),
-    Evidence("it holds under a condition, which the text may state", -2, _is_under_condition),
+    Evidence("it holds under a condition, which the text may state", -4, _is_under_condition),
+    Evidence("the limits of an integral may be left out", -4, _is_without_limits),
+    Evidence("a sign in its display may join two equations", -4, _is_equivalence),
     Evidence("its line may continue the one before a remark", -4, _is_behind_remark),
     Evidence("the dots in it may stand for something else", -1, _is_dotted),
     Evidence("a definition is substituted, which may not hold there", -1, _is_substituted),
