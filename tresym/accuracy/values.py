@@ -260,12 +260,13 @@ def _of_numbers(e: Expr, digits: int) -> arb | None:
     row = TABLE.get(e.op)
     if row is None or any(arg.op != "number" for arg in e.args):
         return None
-    with ball_precision(bits(digits, GUARD)):
-        try:
+    enough = bits(digits, 8)
+    try:
+        with ball_precision(enough + GUARD - 8):
             found = row.ball(*[arb(arg.args[0]) for arg in e.args])
-        except UndefinedError:
-            return None
-    return found if found.is_finite() and found.rel_accuracy_bits() >= bits(digits, 8) else None
+    except UndefinedError:
+        return None
+    return found if found.is_finite() and found.rel_accuracy_bits() >= enough else None
 
 
 def _without_value(e: Expr, walker: InBalls) -> str:

@@ -298,11 +298,13 @@ def _zeros(body: Expr, name: str) -> tuple[fmpq, ...]:
         if not _may_be_singular(node) or name not in symbols(node.args[0]):
             continue
         part = node.args[0]
+        if part.op not in ("+", "*", "symbol"):
+            continue
         values = [rational(substitute(part, {name: number(n)})) for n in range(3)]
         a, b, c = values
         if a is None or b is None or c is None:
             continue
-        if b - a == c - b and b != a and part.op in ("+", "*", "symbol"):
+        if b - a == c - b and b != a:
             found.append(-a / (b - a))
     return tuple({str(x): x for x in found}.values())
 
