@@ -35,6 +35,26 @@ def test_the_ball_contains_what_mpmath_finds(text: str, accuracy: int) -> None:
         assert found.rad() < arb((1, 6 - accuracy))
 
 
+def test_a_piece_is_only_left_out_where_the_integrand_is_negligible() -> None:
+    with ball_precision(128):
+        falling = integral(Compiled(parse("exp(-cosh(x))"), "x"), arb(0), arb(32), 60)
+        assert falling is not None
+        assert falling.overlaps(arb("0.4210244382407083333356274", 1e-24))  # besselk(0, 1)
+        assert falling.rad() < arb((1, -52))
+        assert integral(Compiled(parse("1/(x - 8)"), "x"), arb(0), arb(32), 60) is None
+
+
+@pytest.mark.parametrize(
+    ("text", "value"), [("abs(x - 1/3)", fmpq(5, 18)), ("sign(x - 1/3)", fmpq(1, 3))]
+)
+def test_a_kink_or_jump_lies_in_a_piece_that_is_small_enough(text: str, value: fmpq) -> None:
+    with ball_precision(128):
+        found = integral(Compiled(parse(text), "x"), arb(0), arb(1), 60)
+        assert found is not None
+        assert found.contains(value)
+        assert found.rad() < arb((1, -50))
+
+
 def test_ends_may_be_balls() -> None:
     with ball_precision(128):
         wide = integral(Compiled(parse("x**2"), "x"), arb(0), arb(1, 0.125), 60)
@@ -45,10 +65,10 @@ def test_ends_may_be_balls() -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["abs(x - 1/3)", "sign(x - 1/3)", "sqrt((x - 1/3)**2)", "1/(x - 1/3)", "1/(3*x - 1)**2",
+    ["1/(x - 1/3)", "1/(3*x - 1)**2",
      "log(x)", "sqrt(x - 1/3)", "tan(2*x)", "asin(2*x)", "(x - 1/3)**(2/3)", "1/sinh(x)",
      "exp(-1/(x - 1/3)**2)", "x**x"],
 )  # fmt: skip
-def test_nothing_is_said_where_the_integrand_is_not_analytic(text: str) -> None:
+def test_nothing_is_said_where_the_integrand_is_not_bounded_or_not_defined(text: str) -> None:
     with ball_precision(128):
         assert integral(Compiled(parse(text), "x"), arb(0), arb(1), 60) is None
