@@ -6,7 +6,7 @@ import pytest
 from cases import cases
 
 from tresym.coq.bound_statements import BoundTheorem
-from tresym.coq.candidate_search import bound, found_by
+from tresym.coq.candidate_search import bound, found_by, proofs
 from tresym.coq.claim_export import theorems
 from tresym.coq.coqtop import HEAD, Dialogue
 from tresym.coq.statement import NotExportedError
@@ -38,6 +38,18 @@ def test_a_sum_is_stated_with_its_terms() -> None:
         "exists C : R, eventually (fun n : nat => Rabs ((terms (fun k : nat => / (INR k)) 1 n) + "
         "(-1) * ln (INR n)) <= C * Rabs (1))",
     )
+
+
+def test_half_of_the_last_term_is_found_by_trapezoids_and_no_other_share_of_it() -> None:
+    """Needs no Coq: the orders of what is left are found, or the proof is not written at all."""
+
+    def written(share: str) -> list[str]:
+        claim = f"sum(log(k), k, 1, n) == n*log(n) - n + log(n)*{share} + O(1) as n -> oo"
+        (found,) = theorems(read(claim))
+        return [*proofs(found, lambda _: "exact I.")]
+
+    assert ["trapezoids_near" in script for script in written("1/2")] == [True]
+    assert written("1/3") == written("0") == []
 
 
 @pytest.mark.parametrize("kind", KINDS)
