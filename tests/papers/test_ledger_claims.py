@@ -101,6 +101,8 @@ everywhere: S**2 == 1 using sign
 chain: (a + b)**2 - 2*a*b == a**2 + b**2 == b**2 + a**2
 broken: a**2 == a**2 + b == a**2
 squares: x**2 + y**2 - x*y == (x - y/2)**2 + 3/4*y**2 >= 0
+two_bounds: (x + y)**2 + 1 == x**2 + 2*x*y + y**2 + 1 > 0 and x**2 + 1 == 1 + x**2 >= 1
+not_two: (x + y)**2 + 1 == x**2 + 2*x*y + y**2 + 1 > 0 and x**2 - 1 == -1 + x**2 >= 0
 no_square: x**2 + y**2 - x*y == (x - y)**2 + y**2 >= 0
 not_above: x**2 - 2*x == (x - 1)**2 - 1 >= 0
 bound: a**2 + 1 > 1 given a > 0
@@ -121,7 +123,7 @@ value_there: at(diff(sqrt(x), x), x, a) == 1/(2*sqrt(a)) given a > 0
     )
     found = verdicts(part)
     holds = {"square", "chain", "bound", "by_bound", "squares", "positive", "value_there"}
-    holds |= {"square_of_root", "quotient", "larger", "root_where_larger"}
+    holds |= {"two_bounds", "square_of_root", "quotient", "larger", "root_where_larger"}
     assert part.squares.says == Ge(x**2 + y**2 - x * y, 0)
     assert {label for label, verdict in found.items() if verdict == "PROVED"} == holds
     assert found["too_much"] == found["not_above"] == "REFUTED"

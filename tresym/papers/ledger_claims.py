@@ -771,6 +771,9 @@ class _Reader(Reader):
             return Under(self._says(parts[0].strip()), Tuple(*self._given(parts[1])))
         if self.matrices.stand_in(text):
             return self._of_matrices(text)
+        together = [part.strip() for part in split(text, r"\band\b")]
+        if len(together) > 1 and any(map(_ends_in_an_order, together)):
+            return Tuple(*(part for each in together for part in parts_of(self._says(each))))
         whole = read_compound(self._called(text))
         if whole is not None:
             return self._formula_of(mapped(whole.formula, self._put))
@@ -1021,6 +1024,12 @@ def _by_components(text: str, name: str, size: int) -> str:
         found += f"{text[: match.start()]}({components})"
         text = text[match.end() + end + 1 :]
     return found + text
+
+
+def _ends_in_an_order(text: str) -> bool:
+    """Whether a text is a chain such as ``a == b >= c``."""
+    first, *signs = [text[start:end] for start, end in places(text, _SIGN)] or [""]
+    return first == "==" and signs[-1:] not in ([], ["=="])
 
 
 def _derived(links: Sequence[Compared]) -> tuple[Compared, ...]:

@@ -300,7 +300,8 @@ def _decided(
         found = decide_continuous(one, other, known(given))
         if found.verdict is Verdict.PROVED:
             return Answer(found.verdict, found.why, str(relation))
-    if defined_there and relation.sign in ORDERINGS and is_manifest(relation, given):
+    worked = Relation(worked_out(left), relation.sign, worked_out(right))
+    if defined_there and relation.sign in ORDERINGS and is_manifest(worked, given):
         why = "the sign of the difference follows from those of its parts"
         return Answer(Verdict.PROVED, why, str(relation))
     if defined_there and relation.sign in ORDERINGS and _by_integrands(relation, given):

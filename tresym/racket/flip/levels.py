@@ -1,7 +1,7 @@
 """The levels γ at which ε(γ) changes character, and the inverse function γ(ε).
 
 φ_K is the phase from ψ = π/2 to the turning point of an oscillating orbit, Φ(π/2, γ) of the file
-proofs/turning.py. It rises strictly with γ on (−b, 0) (claim `phase_rises_in_gamma`), from
+proofs/turning.tresym. It rises strictly with γ on (−b, 0) (claim `phase_rises_in_gamma`), from
 φ_K(−b) = π(1−b)/(2√(b(a+b))) (`phase_at_bottom`) to infinity, so that at most one level has
 φ_K = π/n, and it is found by one change of sign: γ* for n = 1, γ° for n = 2, γ** for n = 3.
 
