@@ -1,15 +1,15 @@
 """Proof-reading: which equalities that fail are misprints, and what is true instead.
 
 An equality that fails somewhere may be an equation to be solved, a law, a condition, a definition,
-or a misprint. It is SUSPECT if no words around it introduce it as one of the former, and
+or a misprint. It may be a misprint if no words around it introduce it as one of the former, and
 
 - a statement one edit away holds, or it holds itself under a natural condition, or
 - the other links of its display are identities, or a word such as "hence" leads to it, and both
   sides have the same variables.
 
 A symbol that is defined again in the same scope, one edit away from its first definition and
-without a word such as "now", is SUSPECT as well. What is REFUTED keeps its status and gets the
-suggestions.
+without a word such as "now", is SUSPECT as well. What is REFUTED gets the suggestions. Then all of
+them are weighed: what has support is REFUTED, the rest SUSPECT (:mod:`tresym.manuscript.support`).
 """
 
 from __future__ import annotations
@@ -96,8 +96,8 @@ _HOLD = frozenset(("PROVED", "ENCLOSED"))
 def proofread(
     rows: Sequence[Row], seconds: float = SECONDS, processes: int | None = None
 ) -> list[Row]:
-    """Return the rows with misprints marked SUSPECT, and with true statements close to those and
-    to REFUTED ones.
+    """Return the rows with misprints marked, REFUTED or SUSPECT, and with true statements close to
+    them.
 
     Args:
         seconds: processor time for each search.
