@@ -46,6 +46,8 @@ _MIRRORED = {"==": "==", "!=": "!=", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
 _TREND = ("~", "->")
 _ORDER = re.compile(r"(?<![A-Za-z])(?:[oO]|Theta|omega)\(")
 _DISCRETE = re.compile(r"\b(factorial|binomial|sum|product|coefficient|integer|ZZ|floor|ceiling)\b")
+_BRACKETS = re.compile(r"\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)")
+"""Brackets with what is in them, to a depth of three."""
 _BOUND = re.compile(r"\b(diff|derivative|at)\b|'|\b(?![Oo]\()[a-zA-Z]\(")
 
 
@@ -140,8 +142,9 @@ Spelling = Callable[[Claim, random.Random], Claim | None]
 
 def renamed(c: Claim, r: random.Random) -> Claim | None:
     """Call a variable by another letter."""
-    names = [n for n in _names(c) if "[" not in n]
     whole = str(c)
+    # In diff(f, x, n) the letter n is an order, while y would be a second variable.
+    names = [n for n in _names(c) if not re.search(rf"diff\(.*, {n}\)", whole)]
     free = [n for n in ("u", "v", "w", "q", "s", "alpha", "x_1", "rho", "e", "Z", "c") if n]
     free = [n for n in free if not _word(n).search(whole)]
     if not names or not free:
@@ -196,8 +199,8 @@ def multiplied(c: Claim, r: random.Random) -> Claim | None:
 
 
 def divided(c: Claim, r: random.Random) -> Claim | None:
-    """Put what is on the left under what is on the right, for a trend."""
-    if c.relation != "~":
+    """Divide by the right side, for a trend of one term: each of several terms is claimed by ~."""
+    if c.relation != "~" or re.search(r" [+-] ", _BRACKETS.sub("", c.right)):
         return None
     return c._replace(left=f"({c.left})/({c.right})", relation="->", right="1")
 
