@@ -46,8 +46,6 @@ _MIRRORED = {"==": "==", "!=": "!=", "<": ">", ">": "<", "<=": ">=", ">=": "<="}
 _TREND = ("~", "->")
 _ORDER = re.compile(r"(?<![A-Za-z])(?:[oO]|Theta|omega)\(")
 _DISCRETE = re.compile(r"\b(factorial|binomial|sum|product|coefficient|integer|ZZ|floor|ceiling)\b")
-_BRACKETS = re.compile(r"\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)")
-"""Brackets with what is in them, to a depth of three."""
 _BOUND = re.compile(r"\b(diff|derivative|at)\b|'|\b(?![Oo]\()[a-zA-Z]\(")
 
 
@@ -199,8 +197,8 @@ def multiplied(c: Claim, r: random.Random) -> Claim | None:
 
 
 def divided(c: Claim, r: random.Random) -> Claim | None:
-    """Divide by the right side, for a trend of one term: each of several terms is claimed by ~."""
-    if c.relation != "~" or re.search(r" [+-] ", _BRACKETS.sub("", c.right)):
+    """Divide by the right side, for a trend without a sum: ~ claims each of its terms."""
+    if c.relation != "~" or re.search(r" [+-] ", c.right):
         return None
     return c._replace(left=f"({c.left})/({c.right})", relation="->", right="1")
 
