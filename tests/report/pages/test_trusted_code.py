@@ -85,7 +85,7 @@ def test_statements_for_coq_are_made_without_provers_and_deciders() -> None:
     count = trusted(STATEMENTS)[0]
     print(f"statements for Coq: {count.total}")
     makers = {"coq.export", "coq.ledger_statements", "coq.statement", "coq.theorem_trees"}
-    makers |= {"coq.implicit_statements"}
+    makers |= {"coq.implicit_statements", "coq.solution_statements"}
     assert {name for name in count.lines if name.startswith("coq.")} - makers <= {"coq.coqtop"}
     others = {tuple(name.split(".")[:2]) for name in count.lines} - {("coq", m) for m in makers}
     assert not others & {
