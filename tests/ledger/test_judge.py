@@ -40,7 +40,6 @@ from tresym.ledger.claim import (
     Counterexample,
     Definition,
     Instance,
-    UniqueRoot,
     all_of,
     at,
     by,
@@ -50,6 +49,7 @@ from tresym.ledger.claim import (
     step,
     together,
 )
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge, judge_evidence
 from tresym.ledger.reasons import (
@@ -191,10 +191,8 @@ def test_a_change_of_variable_needs_its_factor_and_its_limits() -> None:
 
 
 def root(function: object, slope: object, low: object, high: object, *given: object) -> Verdict:
-    chain = (step(slope, differentiation, exponentials, trigonometry),)
-    ends = [(step(function.subs(x, end), exponentials),) for end in (low, high)]
     stated = ExactlyOne(x, low, high, equal(function, 0))
-    return verdict(claim(stated, UniqueRoot(chain, *ends), given))
+    return verdict(claim(stated, Decided(), given))
 
 
 def test_definitions_introduce_new_symbols_only() -> None:

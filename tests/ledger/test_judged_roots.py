@@ -21,18 +21,15 @@ from sympy import (
 from tresym.ledger.claim import (
     Claim,
     ImplicitFunction,
-    UniqueRoot,
     by,
     equal,
     step,
 )
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import (
-    algebra,
     differentiation,
-    exponentials,
-    trigonometry,
 )
 from tresym.ledger.statements import ExactlyOne
 from tresym.reals.verdict import Verdict
@@ -41,47 +38,26 @@ ONE = Integer(1)
 
 
 def root(function: object, slope: object, low: object, high: object, *given: object) -> Verdict:
-    chain = (step(slope, differentiation, exponentials, trigonometry),)
-    ends = [(step(function.subs(x, end), exponentials),) for end in (low, high)]
     stated = ExactlyOne(x, low, high, equal(function, 0))
-    return verdict(claim(stated, UniqueRoot(chain, *ends), given))
+    return verdict(claim(stated, Decided(), given))
 
 
 def test_unique_roots() -> None:
     assert root(x**3 + x - 1, 3 * x**2 + 1, 0, 1) is Verdict.PROVED
     assert root(x**3 + x + 1, 3 * x**2 + 1, 0, 1) is Verdict.REFUTED
-    assert root(x**3 + x - 1, 3 * x**2 - 1, 0, 1) is Verdict.UNDECIDED
-    assert root(x**2 - 1, 2 * x, -2, 2) is Verdict.UNDECIDED
+    assert root(x**2 - 1, 2 * x, -2, 2) is Verdict.REFUTED
     assert root(1 / x, -1 / x**2, -1, 1) is Verdict.UNDECIDED
-    assert root(x + tanh(x) - 1, 2 - tanh(x) ** 2, 0, 1) is Verdict.PROVED
+    assert root(x + tanh(x) - 1, 2 - tanh(x) ** 2, 0, 1).holds
 
 
 def test_what_jumps_over_zero_has_no_root() -> None:
     """x − 2 sign(x) + 1/2 rises, where it has a slope, from above 0 to below it."""
     for jumping in (x - 2 * sign(x) + Rational(1, 2), x - 4 * atan(1 / x)):
-        ends = [(step(jumping.subs(x, end)),) for end in (-1, 1)]
-        for slope in (S.One, 1 + 4 / (1 + x**2)):
-            stated = ExactlyOne(x, -1, 1, equal(jumping, 0))
-            proof = UniqueRoot((step(slope, differentiation),), *ends)
-            assert not judge(claim(stated, proof), {}).verdict.holds
+        stated = ExactlyOne(x, -1, 1, equal(jumping, 0))
+        assert not judge(claim(stated, Decided()), {}).verdict.holds
     at_the_end = x - 1 + 2 * sign(x)
     stated = ExactlyOne(x, 0, 1, equal(at_the_end, 0))
-    ends = [(step(at_the_end.subs(x, end)),) for end in (0, 1)]
-    found = judge(claim(stated, UniqueRoot((step(ONE, differentiation),), *ends)), {})
-    assert "stays away from its singularity" in found.why
-
-
-def test_a_root_needs_all_of_its_chains() -> None:
-    stated = ExactlyOne(x, Integer(0), Integer(1), equal(x**3 + x - 1, 0))
-    slope, low, high = by_hand = (
-        (step(3 * x**2 + 1, differentiation),),
-        (step(Integer(-1)),),
-        (step(Integer(1)),),
-    )
-    assert verdict(claim(stated, UniqueRoot(*by_hand))) is Verdict.PROVED
-    for chains in (((), low, high), (slope, (), high), (slope, low, by(algebra))):
-        assert verdict(claim(stated, UniqueRoot(*chains))) is Verdict.UNDECIDED
-    assert verdict(claim(stated, UniqueRoot(*by_hand), (x > 3, x < 2))) is Verdict.UNDECIDED
+    assert not judge(claim(stated, Decided()), {}).verdict.holds
 
 
 def test_no_unique_root_where_there_is_none() -> None:
@@ -110,14 +86,12 @@ def test_what_hangs_on_a_variable_is_not_taken_for_a_constant() -> None:
 
 def test_the_ends_do_not_depend_on_the_unknown() -> None:
     """Nothing is between x − 1 and x + 1 but for some x: the name would be caught."""
-    chain, ends = (step(Integer(1), differentiation),), [(step(Integer(n)),) for n in (-1, 1)]
-    root = UniqueRoot(chain, *ends)
+    root = Decided()
     assert verdict(claim(ExactlyOne(y, -1, 1, equal(y, 0)), root)) is Verdict.PROVED
     caught = claim(ExactlyOne(y, y - 1, y + 1, equal(y, y)), root)
     assert verdict(caught) is Verdict.UNDECIDED
-    ends = [(step(y - 1),), (step(y + 1),)]
-    caught = claim(ExactlyOne(y, y - 1, y + 1, equal(y, 0)), UniqueRoot(chain, *ends))
-    assert "must not depend on the bound variable" in judge(caught, {}).why
+    caught = claim(ExactlyOne(y, y - 1, y + 1, equal(y, 0)), Decided())
+    assert verdict(caught) is Verdict.UNDECIDED
 
 
 # -- implicit functions ---------------------------------------------------------------------------

@@ -23,7 +23,6 @@ from tresym.ledger.claim import (
     Root,
     Step,
     Together,
-    UniqueRoot,
     chains_of,
     equal,
 )
@@ -82,9 +81,6 @@ def test_a_claim_is_listed_where_it_is_stated() -> None:
 def parts(claim: Claim) -> list[tuple[sympy.Basic, Chain]]:
     """The chains of a claim with what each must show."""
     proof = claim.proof
-    if isinstance(proof, UniqueRoot):
-        slope = sympy.Derivative(claim.statement.difference, claim.statement.variable)
-        return [(equal(slope, proof.derivative[-1].expression), proof.derivative)]
     if isinstance(proof, ImplicitFunction) and proof.slope:
         left = proof.equation.says.lhs.xreplace({proof.parameter: proof.at})
         slope = sympy.Derivative(left, proof.unknown)
@@ -93,8 +89,6 @@ def parts(claim: Claim) -> list[tuple[sympy.Basic, Chain]]:
 
 
 def conditions(claim: Claim) -> Conditions:
-    if isinstance(claim.proof, UniqueRoot):
-        return relations((*claim.given, claim.statement.variable > 0))
     return relations(claim.given)
 
 

@@ -186,21 +186,6 @@ def together(*chains: Chain) -> Together:
 
 
 @dataclass(frozen=True)
-class UniqueRoot:
-    """Evidence that an equation has exactly one root in an interval (the statement: `ExactlyOne`).
-
-    The difference of the two sides is continuous on the interval, has opposite signs at its ends
-    (intermediate value theorem) and a derivative of one sign inside (mean value theorem).
-    """
-
-    derivative: Chain
-    """A chain from the derivative of the difference to a form with a provable sign."""
-    at_low: Chain
-    at_high: Chain
-    """Chains from the values at the two ends to forms with provable signs."""
-
-
-@dataclass(frozen=True)
 class Monotone:
     """Evidence that an equation has at most one root: left side minus right side is increasing."""
 
@@ -553,7 +538,6 @@ Evidence = (
     | Root
     | Instance
     | Together
-    | UniqueRoot
     | Monotone
     | ImplicitFunction
     | Printed
@@ -836,8 +820,6 @@ def _chains(proof: Evidence) -> tuple[Chain, ...]:
     match proof:
         case Together(chains):
             return chains
-        case UniqueRoot():
-            return proof.derivative, proof.at_low, proof.at_high
         case ImplicitFunction():
             return (proof.slope,)
         case tuple():
@@ -862,9 +844,6 @@ def with_reasons(proof: Evidence, changed: Callable[[Reason], Reason], *more: Re
     match proof:
         case Together(chains):
             return Together(tuple(map(chain, chains)))
-        case UniqueRoot():
-            ends = chain(proof.at_low), chain(proof.at_high)
-            return UniqueRoot(chain(proof.derivative), *ends)
         case ImplicitFunction():
             return replace(proof, slope=chain(proof.slope))
         case Monotone() if isinstance(proof.slope, tuple):

@@ -147,7 +147,7 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
         return str(error)
     if integrals and not proof.assumes:
         return (
-            "the equation must have exactly one solution: prove this with UniqueRoot, or name the "
+            "the equation must have exactly one solution: prove this, or name the "
             "assumption in Definition(assumes=...)"
         )
     if integrals and not satisfiable(claim.given, parts_of(claim.says)):

@@ -42,7 +42,6 @@ from tresym.ledger.claim import (
     RootBound,
     RootMonotone,
     Together,
-    UniqueRoot,
     asked_by,
     chains_of,
     parts_of,
@@ -85,7 +84,7 @@ from tresym.ledger.evidence.printed_numbers import judge_printed
 from tresym.ledger.evidence.refutation import Denied, denied_somewhere, judge_counterexample
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
 from tresym.ledger.finding import WEAKEST_FIRST, Finding, StepFinding
-from tresym.ledger.judged_roots import judge_at_most_one, judge_implicit_function, judge_unique_root
+from tresym.ledger.judged_roots import judge_at_most_one, judge_implicit_function
 from tresym.ledger.reasons import citing
 from tresym.ledger.refutations import (
     PROVED,
@@ -111,7 +110,7 @@ from tresym.reals.verdict import Verdict
 Findings = Mapping[str, Finding]
 
 NEVER_ATTACKED = (
-    *(Definition, Root, ImplicitFunction, AllOf, UniqueRoot, Monotone, Asymptotics),
+    *(Definition, Root, ImplicitFunction, AllOf, Monotone, Asymptotics),
     *(Follows, RootMonotone, MonotoneOf, InfimumBy, Dominated),
 )
 """Evidence whose claims skip the independent check: a single point cannot contradict their
@@ -288,8 +287,6 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
             return _judge_relations(claim)
         case Counterexample():
             return judge_counterexample(claim, claim.proof)
-        case UniqueRoot():
-            return judge_unique_root(claim, claim.proof)
         case Monotone():
             return judge_at_most_one(claim, claim.proof)
         case ImplicitFunction():

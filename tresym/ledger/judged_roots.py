@@ -7,17 +7,16 @@ from dataclasses import replace
 from sympy import Basic, Derivative, Eq, Gt, Lt, Subs
 
 from tresym.checking.dispatch import decide_claim
-from tresym.ledger.claim import Chain, Claim, ImplicitFunction, Monotone, UniqueRoot, by, equal
+from tresym.ledger.claim import Chain, Claim, ImplicitFunction, Monotone, by, equal
 from tresym.ledger.conversion import Conditions, conditions, definitions, formula, tree
-from tresym.ledger.counterexamples import rootless
 from tresym.ledger.evidence.chain import check_chain, unmet_condition
 from tresym.ledger.evidence.decided import Decided, judge_decided
 from tresym.ledger.evidence.integrals import NotShownError, need, need_smooth, under_binder
 from tresym.ledger.evidence.satisfiability import satisfiable
-from tresym.ledger.evidence.sign_prover import continuous_on, manifest_sign, undefined
+from tresym.ledger.evidence.sign_prover import manifest_sign, undefined
 from tresym.ledger.finding import Finding, StepFinding
 from tresym.ledger.reasons import substituting
-from tresym.ledger.refutations import PROVED, REFUTED, UNDECIDED, need_all, need_possible, refute
+from tresym.ledger.refutations import PROVED, UNDECIDED, need_all, need_possible, refute
 from tresym.ledger.statements import AtMostOne, ExactlyOne
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import stated
@@ -29,60 +28,12 @@ from tresym.reals.language.formula import Compared, Relation
 from tresym.reals.language.to_sympy import to_sympy
 
 
-def judge_unique_root(claim: Claim, proof: UniqueRoot) -> Finding:
-    """Return PROVED if there is exactly one root, REFUTED if balls exclude any root."""
-    root = claim.statement
-    if not isinstance(root, ExactlyOne) or root.difference is None:
-        raise NotShownError(
-            "this evidence proves that an equation has exactly one root, but the claim states "
-            "something else"
-        )
-    _need_bound(claim, root)
-    stated = root.variable, root.difference, root.low, root.high
-    try:
-        return _one_root(proof, stated, conditions(claim.given))
-    except NotShownError as error:
-        none = rootless(root.difference, root.variable, (root.low, root.high), claim.given)
-        if none is None:
-            raise
-        return Finding(REFUTED, none.why, witness=none.point, steps=error.steps)
-
-
 def _need_bound(claim: Claim, says: ExactlyOne | AtMostOne) -> None:
     """Require that the ends do not depend on the bound variable and the conditions are possible."""
     x = says.variable
     free = x not in says.low.free_symbols | says.high.free_symbols
     need(free, f"the ends of the interval must not depend on the bound variable {x}")
     need_possible(claim)
-
-
-def _one_root(proof: UniqueRoot, stated: tuple[Basic, ...], given: Conditions) -> Finding:
-    """Prove existence and uniqueness: continuity, opposite signs at the ends, a monotone function.
-
-    ``stated`` is the variable, the function (difference of the sides) and the two ends.
-    """
-    v, h, low, high = map(tree, stated)
-    name = str(v)
-    # The root may lie anywhere in the interval, so conditions on the variable must not be used.
-    given = without(name, given)
-    gap = continuous_on(h, (*given, Relation(v, ">=", low), Relation(v, "<=", high)))
-    need(gap is None, f"could not show that {gap} stays away from its singularity")
-    inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
-    start = derivative(h, name)
-    steps, slope = _chain_to_sign(start, proof.derivative, inside)
-    signs = []
-    for end, chain in ((low, proof.at_low), (high, proof.at_high)):
-        found, sign = _chain_to_sign(substitute(h, {name: end}), chain, given)
-        steps += found
-        signs.append(sign)
-    need_all(steps)
-    why = (
-        "exactly one root needs a derivative of one sign and opposite signs at the ends, but the "
-        f"signs found are: derivative {slope}, ends {signs[0]} and {signs[1]}"
-    )
-    need(slope in ("+", "-") and sorted(map(str, signs)) == ["+", "-"], why, steps)
-    why = "the signs at the ends are opposite and the derivative has one sign"
-    return Finding(PROVED, why, steps=steps)
 
 
 def judge_at_most_one(claim: Claim, proof: Monotone) -> Finding:

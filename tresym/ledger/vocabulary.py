@@ -21,7 +21,7 @@ from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
     Claim, Counterexample, Definition, Dominated, Fault, FromSlope, FromTheEdge,
     ImplicitFunction, InfimumBy, Instance, Monotone, MonotoneOf, Printed,
-    Root, RootBound, RootMonotone, UniqueRoot, all_of, at, by, display, equal, equations,
+    Root, RootBound, RootMonotone, all_of, at, by, display, equal, equations,
     follows, formally, in_words, jointly, label_claims, line, manifest, parts_of, step, together,
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics
@@ -52,7 +52,7 @@ __all__ = [
     "Meant", "Monotone", "MonotoneOf", "Ne", "On", "Printed", "Rational",
     "Reading", "Root", "RootBound", "RootMonotone", "Rounds", "Shown",
     "StrictlyDecreasing", "StrictlyIncreasing", "Subs", "Symbol", "TheRoot",
-    "Tuple", "Under", "UniqueRoot", "Verdict", "acos", "adding", "algebra",
+    "Tuple", "Under", "Verdict", "acos", "adding", "algebra",
     "all_of", "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
     "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "diff",
     "differentiating_integral", "differentiation", "display", "equal", "equations", "evaluating",

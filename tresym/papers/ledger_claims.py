@@ -155,7 +155,7 @@ from tresym.ledger.statements import (
     order,
 )
 from tresym.papers.definitions import Definition as Abbreviation
-from tresym.papers.matrices import Matrices, Matrix, MatrixFunction, entries
+from tresym.papers.matrices import Matrices, MatrixFunction, entries
 from tresym.papers.reading import CLAUSE, DEFINED, OwnPaper, Reader, clauses_of, near
 from tresym.papers.ways_to_show import Line, way_to_show
 from tresym.reals.domain.operation_domains import needs
@@ -241,7 +241,7 @@ class Part:
     claims: Mapping[str, Claim]
     named: Mapping[str, tuple[Basic, ...]]
     lines: Mapping[str, tuple[int, int]]
-    shorthands: Mapping[str, Expression | Matrix] = field(default_factory=dict)
+    shorthands: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def values(self) -> Mapping[str, Any]:

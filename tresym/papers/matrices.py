@@ -49,14 +49,11 @@ class MatrixFunction:
         return self.body.applyfunc(lambda e: _with(e, put))
 
 
-Matrix = ImmutableMatrix | MatrixFunction
-
-
 def _with(e: Basic, put: Mapping[Symbol, Expression]) -> Any:
     if not e.free_symbols & put.keys():
         return e
     if e in put:
-        return put[e]  # type: ignore[index]
+        return put[e]
     args = [_with(arg, put) for arg in e.args]
     return e.func(*args, evaluate=False) if isinstance(e, Function) else e.func(*args)
 
@@ -71,7 +68,7 @@ class Matrices:
     """
 
     scalar: Callable[[str], Expression]
-    known: dict[str, Matrix] = field(default_factory=dict)
+    known: dict[str, Any] = field(default_factory=dict)
 
     def stand_in(self, text: str) -> bool:
         """Return whether a text speaks of a matrix."""

@@ -37,12 +37,10 @@ from tresym.ledger.claim import (
     Counterexample,
     Definition,
     Printed,
-    UniqueRoot,
     all_of,
     by,
     equal,
     formally,
-    step,
 )
 from tresym.ledger.evidence import box_bounds as bounds
 from tresym.ledger.evidence.allowed_evidence import is_formal, unfit
@@ -98,7 +96,6 @@ def test_the_kinds_of_evidence_are_closed(proof: Any) -> None:
 
 FOR_SENTENCES = {
     "a conjunction": all_of(TRUE),
-    "a root": UniqueRoot((step(3 * x**2 + 1),), (step(Integer(-1)),), (step(Integer(1)),)),
     "a number": Printed(),
     "a denial": Denied((TRUE,), {"x": fmpq(1)}),
     "bounds": Boxes((SQUARE,), ("x",), "1 <= x <= 2"),

@@ -53,7 +53,6 @@ from tresym.ledger.claim import (
     Root,
     Step,
     Together,
-    UniqueRoot,
     chains_of,
     equal,
     formally,
@@ -61,7 +60,6 @@ from tresym.ledger.claim import (
     saying,
     with_reasons,
 )
-from tresym.ledger.counterexamples import rootless
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted, Reading
@@ -214,8 +212,6 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
                 yield _definition_spot(claim, dependent)
             for dependent in islice(_sloping(dependents), DEPENDENTS):
                 yield _equation_spot(claim, dependent)
-        case UniqueRoot() if isinstance(claim.statement, ExactlyOne):
-            yield from _root_spots(claim, claim.proof, claim.statement)
         case Charted():
             yield _said_spot(claim, "statement", _mutated(claim), _is_denied)
             yield _region_spot(claim, _is_denied, CHARTED_TRIES)
@@ -367,23 +363,6 @@ def _step_spots(claim: Claim, start: Basic, chain: Chain, prefix: str) -> Iterat
 
         yield _Spot(f"{prefix}step {n}", _mutations(link.expression), claims, _is_violated)
         before = link.expression
-
-
-def _root_spots(claim: Claim, proof: UniqueRoot, root: ExactlyOne) -> Iterator[_Spot]:
-    """Change the equation of a root, its ends, and the chain of the derivative."""
-
-    def violated(mutated: Claim) -> bool:
-        other: Any = mutated.statement
-        ends = other.low, other.high
-        return rootless(other.difference, root.variable, ends, mutated.given) is not None
-
-    for n, name in enumerate(("low", "high", "equation"), 1):
-
-        def claims(changed: Variant, n: int = n) -> tuple[Claim, ...]:
-            return (saying(claim, ExactlyOne(*root.args[:n], changed, *root.args[n + 1 :])),)
-
-        yield _Spot(name, _mutations(root.args[n]), claims, violated)
-    yield from _slope_spots(claim, proof.derivative, root)
 
 
 def _slope_spots(claim: Claim, chain: Chain, root: ExactlyOne | AtMostOne) -> Iterator[_Spot]:

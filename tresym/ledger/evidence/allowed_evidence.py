@@ -36,7 +36,6 @@ from tresym.ledger.claim import (
     RootBound,
     RootMonotone,
     Together,
-    UniqueRoot,
 )
 from tresym.ledger.conversion import conditions, tree
 from tresym.ledger.evidence.asymptotics import Asymptotics
@@ -69,14 +68,14 @@ WITHOUT_CONDITIONS = (AllOf, Denied)
 HOLDS_FUNCTIONS = (Boxes, Denied)
 """Evidence whose relation to the statement is only checked at sample points, or by the reader."""
 DECIDING = (
-    *(tuple, Together, UniqueRoot, Monotone, Printed, Formally, Counterexample),
+    *(tuple, Together, Monotone, Printed, Formally, Counterexample),
     *(Asymptotics, Charted, Evaluated, Boxes),
     *(RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge, InfimumBy, Dominated),
     *(Follows, Decided),
 )
 """Evidence that decides the formula in ``means``, also if ``says`` is different."""
 KINDS = (
-    *(tuple, Definition, Root, Instance, Charted, Together, UniqueRoot, ImplicitFunction),
+    *(tuple, Definition, Root, Instance, Charted, Together, ImplicitFunction),
     *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Denied, Evaluated),
     *(Monotone, Follows, RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge),
     *(InfimumBy, Dominated, Decided),

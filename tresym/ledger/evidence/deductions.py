@@ -52,7 +52,6 @@ from tresym.ledger.claim import (
     Root,
     RootBound,
     RootMonotone,
-    UniqueRoot,
     by,
     parts_of,
 )
@@ -223,7 +222,7 @@ class _Zero:
         proof = root.proof
         need(isinstance(proof, Root), f"{root.label} does not define a root")
         assert isinstance(proof, Root)
-        unique, one = proof.unique.statement, proof.unique.proof
+        unique = proof.unique.statement
         need(isinstance(unique, ExactlyOne), "no root is defined")
         assert isinstance(unique, ExactlyOne)
         values, plain = _values(claim)
@@ -244,16 +243,7 @@ class _Zero:
             shown = here in self.given or is_manifest(here, self.given)
             need(shown, f"{root.label} defines {proof.symbol} only where {condition}")
         free = without(self.variable, asked)
-        if not isinstance(one, UniqueRoot):
-            self.rises = _direction(*map(tree, sides), self.variable, free)
-            return
-        v = tree(unique.variable)
-        inside = (*free, Relation(v, ">", self.low), Relation(v, "<", self.high))
-        last = one.derivative[-1].expression
-        need(last is not None, "the sign of the derivative is not known")
-        sign = manifest_sign(tree(last), inside)
-        need(sign in ("+", "-"), "could not show the sign of the derivative of the function")
-        self.rises = 1 if sign == "+" else -1
+        self.rises = _direction(*map(tree, sides), self.variable, free)
 
     def at(self, e: Expr, value: Expr) -> Expr:
         """Return ``e`` with the value in place of the variable."""

@@ -104,7 +104,10 @@ class _Statement:
             name = str(says.args[0])
             about = frozenset().union(*(symbols(side) for c in given for side in c[::2]))
             need(name not in about, f"the conditions speak of {name}, which is bound")
+            apart = name not in symbols(low) | symbols(high)
+            need(apart, f"the ends of the interval must not depend on the bound variable {name}")
             link = self._link(says.args[3])
+            need(link[1] == "==", "solutions are counted of an equation")
             self._need_defined(link[::2], (*given, (low, "<", x), (x, "<", high)))
             return Count(_COUNTS[kind], name, low, high, (False, False), link, given)
         if kind in _SHAPES:

@@ -37,8 +37,6 @@ _EVIDENCE = {
     "AllOf": "a conjunction of claims, each proved separately",
     "Formally": "a decision of the formulas that the sentence states",
     "Counterexample": "an exact point at which the conditions hold and the statement fails",
-    "UniqueRoot": "opposite signs at the ends and a derivative of constant sign, each proved by "
-    "a chain of equalities",
     "ImplicitFunction": "the implicit function theorem, applied to an earlier equation that is "
     "smooth and has a non-zero derivative",
     "Printed": "ball arithmetic from the printed inputs, each known to half a unit in its last "

@@ -8,12 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sympy import Basic, Derivative, Eq, Equivalent, Tuple
+from sympy import Basic, Eq, Equivalent, Tuple
 from sympy.core.relational import Relational
 
-from tresym.ledger.claim import Chain, Claim, Reason, Step, Together, UniqueRoot, chains_of, equal
+from tresym.ledger.claim import Chain, Claim, Reason, Step, Together, chains_of
 from tresym.ledger.evidence.decided import Decided
-from tresym.ledger.statements import ExactlyOne
 from tresym.reals.functions.table import TABLE, upright
 from tresym.report.typesetting.latex import bracketed, expression_latex, says_latex
 
@@ -58,11 +57,6 @@ def _shown(claim: Claim) -> tuple[Display, ...]:
     if claim.shown is not None:
         why = _reasons(proof[-1]) if isinstance(proof, tuple) else ()
         return ((Line("", claim.shown, why),),)
-    if isinstance(proof, UniqueRoot) and isinstance(claim.statement, ExactlyOne):
-        root = claim.statement
-        rate = Derivative(root.difference, root.variable)
-        slope = equal(rate, proof.derivative[-1].expression)
-        return (_lines(slope, proof.derivative),)
     if isinstance(says, str):
         return ()
     if isinstance(proof, Together | tuple):
