@@ -49,7 +49,7 @@ from tresym.reals.values.growth import DivergesError
 MAX_DIGITS = 10_000
 SMALLEST = 4
 """A value below 10^(−4 digits − 100) is not told apart from 0, if nothing else is asked for."""
-GUARD = 24
+GUARD = 32
 """The bits beyond the digits with which an expression is tried first."""
 AGAIN = 2
 """How often an expression is tried again, at higher precision, that has no value."""
