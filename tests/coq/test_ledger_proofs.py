@@ -9,7 +9,10 @@ import pytest
 from tresym.coq import ledger_proofs
 from tresym.coq.export import stamped
 from tresym.coq.ledger_proofs import Memory, lemma_proof
+from tresym.coq.ledger_statements import theorem_of
+from tresym.coq.lemma_proofs import plans
 from tresym.coq.statement import Theorem
+from tresym.ledger.paper import all_claims
 from tresym.reals.language.expression import symbol
 from tresym.reals.language.formula import Relation
 
@@ -48,3 +51,13 @@ def test_what_takes_too_long_is_given_up(monkeypatch: pytest.MonkeyPatch) -> Non
 
     monkeypatch.setattr(ledger_proofs, "WRITING_SECONDS", 0.05)
     assert list(ledger_proofs._found_soon(endless())) == ["lra."]
+
+
+def test_a_claim_with_values_put_into_another_applies_its_theorem() -> None:
+    """The facts that it cites come first; no lemma is needed."""
+    claim = next(claim for claim in all_claims() if claim.label == "sine_of_the_time")
+    plan = next(p for p in plans(claim, theorem_of(claim)) if "W_0" in p.script)
+    assert plan.lemmas == ()
+    assert plan.uses == ("phase_range", "hyperbolic_sine_rises")
+    assert "pose proof (claim_hyperbolic_sine_rises (v_P * sqrt (a * b)) " in plan.script
+    assert plan.script.index("claim_phase_range") < plan.script.index("W_0")

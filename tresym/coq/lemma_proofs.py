@@ -1,8 +1,10 @@
 """Prove a claim from lemmas, each of which is one relation that a tactic closes.
 
-Two plans are tried. The first substitutes the definitions and lets the tactics prove the statement
-directly. The second follows the claim's own chain: each step is a lemma, with the equations of the
-claims it names as premises; these premises follow from the theorems of those claims.
+Three plans are tried. The first, for a claim that is another one with values put in, applies the
+theorem of that claim. The second substitutes the definitions and lets the tactics prove the
+statement directly. The third follows the claim's own chain: each step is a lemma, with the
+equations of the claims it names as premises; these premises follow from the theorems of those
+claims.
 """
 
 from __future__ import annotations
@@ -31,6 +33,7 @@ from tresym.coq.ledger_statements import (
 from tresym.coq.reductions import known
 from tresym.coq.solution_statements import Along, constancy
 from tresym.coq.statement import (
+    ATOM,
     FUNCTIONS,
     Formula,
     NotExportedError,
@@ -43,7 +46,7 @@ from tresym.coq.statement import (
 from tresym.coq.structural_signs import manifest_proofs
 from tresym.coq.theorem_trees import defined, inside, put_at, values_of
 from tresym.coq.witness_points import point_proofs
-from tresym.ledger.claim import Chain, Claim, Definition, Reason, Root, Together
+from tresym.ledger.claim import Chain, Claim, Definition, Instance, Reason, Root, Together
 from tresym.ledger.conversion import stage, tree
 from tresym.ledger.paper import file_of
 from tresym.reals.language.binders import elementary, worked_out
@@ -88,6 +91,8 @@ def plans(claim: Claim, whole: Exported) -> Iterator[Plan]:
     else:
         for steps, every in ((False, False), (True, False), (True, True)):
             try:
+                if isinstance(claim.proof, Instance) and not steps:
+                    yield _Planner(claim, whole, steps, every).instance(claim.proof)
                 yield _Planner(claim, whole, steps, every).plan()
             except (NotExportedError, InputError, OverflowError, RecursionError, _NoPlanError):
                 continue
@@ -122,9 +127,32 @@ class _Planner:
     head: list[str] = field(default_factory=list)
     posed: list[str] = field(default_factory=list)
 
-    def plan(self) -> Plan:
-        """Return the complete plan."""
-        whole, proof = self.whole, self.claim.proof
+    def instance(self, proof: Instance) -> Plan:
+        """Return the plan that applies the theorem of a general claim to values."""
+        general = theorem_of(proof.claim)
+        values = {x.name: term(tree(e), ATOM) for x, e in proof.values}
+        if not isinstance(general, Theorem) or general.exists:
+            raise _NoPlanError
+        if not {*general.variables} <= {*values, *self.whole.variables}:
+            raise _NoPlanError
+        for used in proof.cited:
+            self.fact(used)
+        self.uses[proof.claim.label] = None
+        places = [values.get(name, variable(name)) for name in general.variables]
+        asked = len(general.definitions) + len(general.given) + len(general.defined)
+        lines = [
+            *self.beginning(),
+            f"pose proof ({' '.join([name_of(proof.claim.label), *places])}) as W_0.",
+            *["specialize (W_0 ltac:(first [give | reflexivity]))."] * asked,
+            "first [exact W_0 | lra | match goal with |- ?G => let T := type of W_0 in "
+            "replace G with T; "
+            "[exact W_0 | repeat first [reflexivity | ring | (field; side) | f_equal]] end].",
+        ]
+        return Plan((), "\n".join(lines), tuple(self.uses))
+
+    def beginning(self) -> list[str]:
+        """Return the sentences that introduce the premises and the facts of the used claims."""
+        whole = self.whole
         names = [*map(variable, whole.variables)]
         counts = (len(whole.definitions), len(whole.given), len(whole.defined))
         for letter, count in zip("DGN", counts, strict=True):
@@ -134,14 +162,19 @@ class _Planner:
             for n, (asked, _) in enumerate(whole.definitions, 1)
             if asked
         ]
+        first = [f"intros {' '.join(names)}."] if names else []
+        return [*first, *cases, *self.head, *cases]
+
+    def plan(self) -> Plan:
+        """Return the complete plan."""
+        whole, proof = self.whole, self.claim.proof
         if isinstance(proof, Together):
             assert isinstance(whole.says, Conjunction)
             pairs = zip(whole.says.parts, proof.chains, strict=True)
             body = _split([self.shown(part, chain) for part, chain in pairs])
         else:
             body = self.shown(whole.says, proof if isinstance(proof, tuple) else ())
-        first = [f"intros {' '.join(names)}."] if names else []
-        text = "\n".join([*first, *cases, *self.head, *cases, body])
+        text = "\n".join([*self.beginning(), body])
         return Plan(tuple(self.lemmas), text, tuple(self.uses))
 
     def shown(self, says: Formula, chain: Chain, entry: int = 0) -> str:
