@@ -23,7 +23,7 @@ from sympy import (
 )
 
 from tresym.ledger.claim import equal
-from tresym.ledger.counterexamples import excluded, rootless, violation
+from tresym.ledger.counterexamples import excluded, violation
 
 x, y, t = (Symbol(name, real=True) for name in "xyt")
 
@@ -97,9 +97,3 @@ def test_what_fails_is_violated_at_a_point(
 )
 def test_only_a_ball_that_is_clear_excludes(difference: arb, relation: str, found: bool) -> None:
     assert excluded(difference, relation) is found
-
-
-def test_an_interval_without_a_root() -> None:
-    assert rootless(x**2 + y, x, (Integer(0), Integer(1)), (y > 0,)) is not None
-    assert rootless(x - y, x, (Integer(0), Integer(1)), (y > 0, y < 1)) is None
-    assert rootless((x - y) ** 2, x, (Integer(0), Integer(1)), (y > 0, y < 1)) is None

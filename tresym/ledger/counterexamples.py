@@ -33,7 +33,7 @@ from sympy import (
 )
 from sympy.core.relational import Relational
 
-from tresym.ledger.ball_evaluation import At, differentiated, value
+from tresym.ledger.ball_evaluation import differentiated
 from tresym.ledger.claim import Claim, equal, parts_of
 from tresym.ledger.conversion import MAX_PASSES, CircularError, tree
 from tresym.ledger.sample_points import (
@@ -52,7 +52,7 @@ from tresym.reals import cross_check
 from tresym.reals.decisions.identity import decide
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import generalised
-from tresym.reals.numbers.arithmetic import ball_precision, side
+from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Interval, fraction_text
 from tresym.reals.verdict import Verdict
 
@@ -63,8 +63,6 @@ ENOUGH, TRIED = (6, 1), (16, 12)
 """Effort of the independent check: points evaluated and points tried, each for cheap relations and
 for those with an integral or an implicit equation. They do not depend on time, so that a busy
 machine checks as much as an idle one."""
-PARAMETERS, CELLS = 2, 256
-"""Points tried, and subintervals per point, to show that an interval contains no root."""
 LARGE = 400
 """Size (number of nodes) of the largest expression in which symbols are substituted."""
 
@@ -151,28 +149,6 @@ def _relations(
             yield from _relations(part, known)
     elif isinstance(says, Relational):
         yield from ((entry, known) for entry in scalars(says))
-
-
-def rootless(
-    function: Basic, variable: Symbol, ends: tuple[Basic, Basic], given: Conditions
-) -> Violation | None:
-    """Return a point under ``given`` where ``function`` has no root between ``ends``, or None.
-
-    The interval is cut into cells, and a ball on each cell shows one and the same sign.
-    """
-    names = names_of(function, *ends) - {variable}
-    for place in points_for(_world(given, ()), names).first(PARAMETERS):
-        with ball_precision(BITS):
-            here = At({s: i.ball() for s, i in place.items()})
-            low, high = (value(end, here) for end in ends)
-            cells = [
-                (low + (high - low) * n / CELLS).union(low + (high - low) * (n + 1) / CELLS)
-                for n in range(CELLS)
-            ]
-            sides = {side(value(function, At({variable: cell}, outer=here))) for cell in cells}
-        if sides in ({1}, {-1}):
-            return _violated_at(place)
-    return None
 
 
 def somewhere(given: Conditions, known: tuple[Basic, ...]) -> tuple[Rules, tuple[Place, ...]]:

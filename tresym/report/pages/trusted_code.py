@@ -133,7 +133,7 @@ RECHECKED = {
         *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
         *("reals.decisions.inequalities._in_cells", "reals.decisions.algebraic_witnesses"),
         *("reals.decisions.inequalities._zero_between", "ledger.refutations.refute"),
-        *("ledger.evidence.refutation", "ledger.counterexamples.rootless"),
+        "ledger.evidence.refutation",
         "ledger.evidence.deductions._refuted",
         *("ledger.evidence.asymptotics._expanded", "ledger.refutations.refuted_part"),
         "ledger.judged_roots._refuted_slope",
