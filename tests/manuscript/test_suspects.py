@@ -87,7 +87,7 @@ def test_true_displays_are_not_accused(tmp_path: Path) -> None:
 def test_in_a_block_of_identities_what_fails_is_suspect_without_a_repair(tmp_path: Path) -> None:
     block = r"\begin{align} \sin^2 x + \cos^2 x &= 1 \\ \sin 3x &= \sin x\cos x + \tan^5 x - 7"
     block += r" \\ \cosh^2 x - \sinh^2 x &= 1 \end{align}"
-    assert statuses(tmp_path, block) == ["PROVED", "REFUTED", "PROVED"]
+    assert statuses(tmp_path, block) == ["PROVED", "SUSPECT", "PROVED"]
 
 
 @pytest.mark.parametrize("words", ["and so", "Now let", "In another unit"])

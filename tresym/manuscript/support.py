@@ -37,7 +37,7 @@ SUSPECT = "SUSPECT"
 ACCUSED = (Verdict.REFUTED.value, SUSPECT)
 MOST_CHANGED = 2
 """The most tokens that a misprint changes."""
-ENOUGH = 1
+ENOUGH = 2
 """The weight from which on a formula is accused."""
 WITHOUT = (
     "the term before it, of which the link before is accused, is wrong: the chain holds without it"
@@ -231,14 +231,16 @@ def _twins(case: Case) -> bool:
     return bool(case.names) and alike and len(proved) == len(case.others)
 
 
+def _beside(case: Case) -> bool:
+    return _chain_before(case) or _chain_after(case) or _twins(case)
+
+
 SUPPORTS = (
     Evidence("the author calls it a claim", 9, _is_called),
     Evidence("the text says for which values it is claimed", 1, _is_claimed),
-    Evidence("a formula one edit away holds", 2, _one_edit),
-    Evidence("the formula before it in its chain holds", 1, _chain_before),
-    Evidence("the formula behind it in its chain holds", 1, _chain_after),
+    Evidence("a formula one edit away holds", 3, _one_edit),
     Evidence("its chain holds without the term between", 2, _without_term),
-    Evidence("the other formulas of its display hold, with the same letters", 1, _twins),
+    Evidence("a formula beside it holds, so that its letters are read rightly", 1, _beside),
 )
 
 # What throws doubt on the reading
