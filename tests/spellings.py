@@ -141,8 +141,8 @@ Spelling = Callable[[Claim, random.Random], Claim | None]
 def renamed(c: Claim, r: random.Random) -> Claim | None:
     """Call a variable by another letter."""
     whole = str(c)
-    # In diff(f, x, n) the letter n is an order, while y would be a second variable.
-    names = [n for n in _names(c) if not re.search(rf"diff\(.*, {n}\)", whole)]
+    # In diff(f, x, n) n is an order, while y would be a variable; gamma may be the constant.
+    names = [n for n in _names(c) if n != "gamma" and not re.search(rf"diff\(.*, {n}\)", whole)]
     free = [n for n in ("u", "v", "w", "q", "s", "alpha", "x_1", "rho", "e", "Z", "c") if n]
     free = [n for n in free if not _word(n).search(whole)]
     if not names or not free:
