@@ -97,7 +97,7 @@ def test_a_symbol_defined_anew_is_no_misprint(words: str, tmp_path: Path) -> Non
 
 
 def test_each_misprint_of_several_is_suspect(tmp_path: Path) -> None:
-    text = r"We have \[ \cos 2x = 2\cos^2 x + 1. \] We have \[ \cosh^2 x + \sinh^2 x = 1. \]"
+    text = r"We have \[ \cos 2x = 2\cos^2 x + 1. \] We have \[ \cosh 2x = 2\cosh^2 x + 1. \]"
     assert statuses(tmp_path, text) == ["REFUTED", "REFUTED"]
 
 

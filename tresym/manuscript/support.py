@@ -341,8 +341,8 @@ DOUBTS = (
     Evidence("a definition is substituted, which may not hold there", -1, _is_substituted),
     Evidence("a condition from another section is used", -1, _is_far),
     Evidence("each side has letters of its own, as an equation has", -2, _is_one_sided),
-    Evidence("one side has no letters, as in an equation to be solved", -1, _is_of_value),
-    Evidence("the text may say for which values the bound is meant", -2, _is_bound),
+    Evidence("one side has no letters, as in an equation to be solved", -2, _is_of_value),
+    Evidence("the text may say for which values the bound is meant", -3, _is_bound),
     Evidence("a letter in it may be restricted", -2, _is_doubted),
 )
 
