@@ -285,7 +285,9 @@ def _is_without_limits(case: Case) -> bool:
 
 def _is_equivalence(case: Case) -> bool:
     """Whether its display has a sign that may join two equations."""
-    return "\\equiv" in case.row.link.display.text
+    return bool(
+        re.search(r"\\(?:equiv|iff|(?:Long|long)?[Ll]eftrightarrow)", case.row.link.display.text)
+    )
 
 
 def _is_behind_remark(case: Case) -> bool:
