@@ -343,7 +343,8 @@ def _judge_with_facts(claim: Claim, found: Findings) -> Finding:
     facts = facts_of(claim)
     for fact in facts:
         shown = _guarded(fact, {})
-        steps += shown.steps or (StepFinding(shown.verdict, shown.why),)
+        verdict = shown.verdict if isinstance(shown.verdict, Verdict) else UNDECIDED
+        steps += shown.steps or (StepFinding(verdict, shown.why),)
         if shown.verdict is not PROVED:
             alone = _judge(replace(claim, knowing=()), found)
             why = f"the local fact {fact.says} could not be shown: {shown.why}"
