@@ -3,8 +3,9 @@
 ``sum(1/k, k, 1, n) == log(n) + gamma + O(1/n) as n -> oo`` is false at gamma = 2, but its author
 means 0.5772…, which is written EulerGamma. A refuted claim that says nothing else of the variable
 gamma is decided again with the constant. If it holds then, and fails at numbers just below and
-above, the constant is meant. Of an inequality such as gamma > 1/2 both readings remain; any other
-claim that holds for other numbers, too, is one of a variable.
+above, the constant is meant. Of an inequality such as gamma > 1/2 both readings remain, as they do
+where it is not known whether a claim holds with the constant; any other claim that holds for other
+numbers, too, is one of a variable.
 """
 
 from __future__ import annotations
@@ -53,13 +54,12 @@ def with_euler_constant(
         return decided(replace(statement.mapped(change), comparisons=comparisons, read_as=shown))
 
     found = of(parse(CONSTANT))
-    if not found:
-        fails = found.verdict is Verdict.REFUTED
-        also = f"; with Euler's constant, {CONSTANT}, for {LETTER}: {found.why}" if fails else ""
+    if found.verdict is Verdict.REFUTED:
+        also = f"; with Euler's constant, {CONSTANT}, for {LETTER}: {found.why}"
         return replace(answer, why=answer.why + also)
-    if all(of(number(value)).verdict is Verdict.REFUTED for value in NEAR):
+    if found and all(of(number(value)).verdict is Verdict.REFUTED for value in NEAR):
         return replace(found, why=f"{LETTER} is read as Euler's constant, {CONSTANT}: {found.why}")
-    if not any(c.relation in ("<", "<=", ">", ">=") for c in statement.comparisons):
+    if found and not any(c.relation in ("<", "<=", ">", ">=") for c in statement.comparisons):
         why = f"{LETTER} is read as a variable, not Euler's constant, which is {CONSTANT}"
         return replace(answer, why=f"{answer.why}; {why}")
     why = (

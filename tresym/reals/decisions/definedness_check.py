@@ -87,6 +87,8 @@ def _sampled(e: Expr) -> Expr:
         elif is_infinite(node):
             put[node] = substitute(body, {name: ONE if low == -INFINITY else low})
         elif node.op == "integral":
+            if low == INFINITY or high == -INFINITY:
+                low, high = high, low
             start = high - 3 if low == -INFINITY else low
             stop = start + 3 if high == INFINITY else high
             start, stop = (-ONE, ONE) if {low, high} >= {INFINITY, -INFINITY} else (start, stop)
