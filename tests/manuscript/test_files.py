@@ -54,7 +54,7 @@ def test_what_lies_outside_is_left_out(tmp_path: Path, capsys: pytest.CaptureFix
     assert main(["paper", str(path)]) == 0
     assert "outside the project, see --root; left out: ../shared" in capsys.readouterr().err
     assert len(texts(path, tmp_path)) == 3
-    assert main(["paper", str(path), "--root", str(tmp_path)]) == 1
+    assert main(["paper", str(path), "--suspects", "--root", str(tmp_path)]) == 1
     with pytest.raises(InputError, match="is not in the folder"):
         texts(path, tmp_path / "shared")
 

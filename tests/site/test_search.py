@@ -48,6 +48,6 @@ def test_the_script_holds_the_pages_and_is_written_once(tmp_path: Path) -> None:
 def test_each_file_of_the_proofs_has_a_page_whose_lines_have_addresses() -> None:
     pages = dict(sources.pages())
     assert set(pages) == {f"{module}.html" for module in racket().modules}
-    text = racket().file_of("orders.py").read_text(encoding="utf-8")
+    text = racket().file_of("orders.tresym").read_text(encoding="utf-8")
     for n in (1, len(text.splitlines())):
         assert f'id="L-{n}"' in pages["orders.html"] or f'name="L-{n}"' in pages["orders.html"]

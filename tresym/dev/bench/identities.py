@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from itertools import islice, pairwise
+from itertools import islice, pairwise, zip_longest
 from typing import Any, NamedTuple
 
 import sympy
@@ -30,9 +30,10 @@ from tresym.dev.bench.run import (
 )
 from tresym.dev.mutants.mutations import mutations
 from tresym.ledger import paper
-from tresym.ledger.claim import Chain, Claim, Together, chains_of
+from tresym.ledger.claim import Chain, Claim, Step
 from tresym.ledger.conversion import conditions, known, tree
 from tresym.ledger.counterexamples import put_in, rules_of
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.sign_prover import manifest_sign
 from tresym.ledger.paper import all_claims
 from tresym.reals.decisions.identity import decide
@@ -95,19 +96,20 @@ def pairs() -> Iterator[list[Identity]]:
                 yield [true, *_variant(name, left, right, claim.given)]
 
 
-def _chains(claim: Claim) -> Iterator[tuple[Any, Chain]]:
-    """The chains of a claim between numbers, each with its statement."""
-    proof: Any = claim.proof
-    pairs: Any = chains_of(claim.says, proof) if isinstance(proof, tuple | Together) else None
-    for says, chain in pairs or ():
-        if isinstance(says, sympy.Eq) and chain and not says.has(sympy.MatrixBase):
-            yield says, chain
+def _chains(claim: Claim) -> Iterator[tuple[Any, Chain, tuple[Claim, ...]]]:
+    """The steps of a claim between numbers, with its statement and the claims that are put in."""
+    proof = claim.proof
+    if not isinstance(proof, Decided):
+        return
+    for says, chain in zip_longest(claim.parts, proof.steps, fillvalue=()):
+        if isinstance(says, sympy.Eq) and not says.has(sympy.MatrixBase):
+            yield says, chain or (Step(None, ()),), proof.put
 
 
-def _expressions(says: Any, chain: Chain) -> list[Any]:
+def _expressions(says: Any, chain: Chain, put: tuple[Claim, ...]) -> list[Any]:
     """The expressions of a chain, with the definitions that it uses substituted."""
-    used = [claim for link in chain for reason in link.reasons for claim in reason.claims]
-    rules = rules_of(used)
+    named = (claim for link in chain for reason in link.reasons for claim in reason.claims)
+    rules = rules_of([*put, *named])
     links = [says.rhs if link.expression is None else link.expression for link in chain]
     return [put_in(e, rules).doit(integrals=False) for e in (says.lhs, *links)]
 
