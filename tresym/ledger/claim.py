@@ -13,7 +13,7 @@ must end at its right side. A step may use only the reasons that it names.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
 from typing import Any, ClassVar
@@ -580,6 +580,8 @@ class Claim:
             if ``says`` is a stricter reading than the paper's.
         fault: for a claim expected to be REFUTED, what is wrong with the paper.
         quotes: theorems that the evidence applies and that no claim proves.
+        first: a function that raises an error if the claim may not be judged, or None. A text is
+            asked here whether each of its expressions has a value where that of SymPy has one.
         knowing: local facts. The sign prover shows each from the conditions of the claim and from
             the facts before it; ``Under(φ, (condition, …))`` is a fact about a bound variable.
 
@@ -604,6 +606,7 @@ class Claim:
     quotes: tuple[Axiom, ...] = ()
     means: Basic | None = None
     knowing: tuple[Basic, ...] = ()
+    first: Callable[[], None] | None = field(default=None, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "given", tuple(_conditions(self.given)))

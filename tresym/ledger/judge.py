@@ -154,6 +154,8 @@ def judge_evidence(claim: Claim) -> Finding | None:
 def _guarded(claim: Claim, found: Findings) -> Finding:
     """Judge the evidence and cross-check the result; errors in the input give UNDECIDED."""
     try:
+        if claim.first is not None:
+            claim.first()
         return _attacked(claim, _judge(claim, found))
     except (CircularError, InputError) as error:
         return Finding(UNDECIDED, str(error))

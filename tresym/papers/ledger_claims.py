@@ -88,6 +88,7 @@ import inspect
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -629,8 +630,8 @@ class _Reader(Reader):
             says = self._tending(says, clauses["as"])
         steps = self._steps(self._clause_free(written), says, uses)
         given = [*self._declared_about((says, *given)), *given]
-        self._need_domains(given, uses)
-        fields |= {"says": says, "given": tuple(given)}
+        domains = partial(_need_domains, tuple(self.converted), tuple(given), tuple(uses))
+        fields |= {"says": says, "given": tuple(given), "first": cache(domains)}
         at = clauses.get("at", "")
         along, beside = self._along(at) if at and isinstance(says, As) else ({}, None)
         values = {} if along else _point(at)
@@ -963,34 +964,36 @@ class _Reader(Reader):
         made: Basic = _CLASS[sign](*sides, evaluate=False)
         return made
 
-    def _need_domains(self, given: list[Basic], uses: list[Claim]) -> None:
-        """Where the form that SymPy gives an expression has a value, the expression must have one.
 
-        SymPy writes x for the square of √x, and 1 for x/x.
-        """
-        known = tuple(c for c in given if isinstance(c, Relational) and not isinstance(c, Eq))
-        values = (c for c in given if isinstance(c, Eq) and isinstance(c.lhs, Symbol))
-        known += tuple(end(*c.args, evaluate=False) for c in values for end in (Ge, Le))
-        meant = with_bounds(conditions(known), (citing(*uses),))
-        own = {there: symbol(name) for name, there in OWN.items()}
-        for written, made in self.converted:
-            there = needs(map(ordered, _without_binders(tree(made))))
-            there = [
-                (e.args[0], "!=") if e.op == "abs" and sign != ">=" else (e, sign)
-                for e, sign in there
-            ]
-            where = (*meant, *(Relation(part, sign, ZERO) for part, sign in there))
-            parts = _without_binders(substitute(written, own), lambda e: tree(_in_sympy(e)))
-            for e in map(ordered, parts):
-                if all(part in there or not symbols(part[0]) for part in needs((e,))):
-                    continue
-                gap = undefined(e, where)
-                if gap is None:
-                    continue
-                raise InputError(
-                    f"'{written}' is written by SymPy as {made}, which has a value at more points: "
-                    f"add a condition under which {gap} has one"
-                )
+def _need_domains(
+    converted: tuple[tuple[Expr, Any], ...], given: tuple[Basic, ...], uses: tuple[Claim, ...]
+) -> None:
+    """Where the form that SymPy gives an expression has a value, the expression must have one.
+
+    SymPy writes x for the square of √x, and 1 for x/x.
+    """
+    known = tuple(c for c in given if isinstance(c, Relational) and not isinstance(c, Eq))
+    values = (c for c in given if isinstance(c, Eq) and isinstance(c.lhs, Symbol))
+    known += tuple(end(*c.args, evaluate=False) for c in values for end in (Ge, Le))
+    meant = with_bounds(conditions(known), (citing(*uses),))
+    own = {there: symbol(name) for name, there in OWN.items()}
+    for written, made in converted:
+        there = needs(map(ordered, _without_binders(tree(made))))
+        there = [
+            (e.args[0], "!=") if e.op == "abs" and sign != ">=" else (e, sign) for e, sign in there
+        ]
+        where = (*meant, *(Relation(part, sign, ZERO) for part, sign in there))
+        parts = _without_binders(substitute(written, own), lambda e: tree(_in_sympy(e)))
+        for e in map(ordered, parts):
+            if all(part in there or not symbols(part[0]) for part in needs((e,))):
+                continue
+            gap = undefined(e, where)
+            if gap is None:
+                continue
+            raise InputError(
+                f"'{written}' is written by SymPy as {made}, which has a value at more points: "
+                f"add a condition under which {gap} has one"
+            )
 
 
 def _without_binders(e: Expr, called: Callable[[Expr], Expr] = lambda e: e) -> Iterator[Expr]:
