@@ -1,7 +1,8 @@
 """The proofs: one file for each part of the paper, in its order. Read from top to bottom.
 
-A part is a file of claims, ``slope.tresym``, or a module of Python, ``separatrix.py``. What a file
-states is asked for as ``from tresym.proofs import slope``, and then ``slope.d51``.
+A part is a file of claims, such as ``slope.tresym``. What it states is asked for as
+``from tresym.proofs import slope``, and then ``slope.d51``. The modules of Python beside them hold
+what files take from elsewhere: conditions, theorems of mechanics, charts, tables.
 """
 
 from __future__ import annotations
@@ -67,56 +68,21 @@ NOT_MATHEMATICS = {
 
 
 def parts(names: tuple[str, ...] = PARTS) -> tuple[tuple[str, tuple[Claim, ...]], ...]:
-    """Return for each part its title and the claims it states.
-
-    The title of a module of Python is the first line of its docstring.
-    """
-    import sys
-    from importlib import import_module
-
-    found = {part: _file(part) or import_module(f"tresym.proofs.{part}") for part in names}
-    # The file that states a claim is done before any that takes it from there, whatever the order
-    # of the parts; `sys.modules` has them in the order in which they were done.
-    done = {name.partition("proofs.")[2]: n for n, name in enumerate(sys.modules)}
-    stated: dict[Claim, str] = {}
-    for part in sorted(found, key=lambda part: done.get(part, -1)):
-        for claim in _named_in(found[part]):
-            stated.setdefault(claim, part)
+    """Return for each part its title and the claims it states."""
     return tuple(
-        (
-            _title(module).strip().splitlines()[0].rstrip("."),
-            tuple(c for c in _named_in(module) if stated[c] == part),
-        )
-        for part, module in found.items()
+        (file.title.strip().splitlines()[0].rstrip("."), tuple(file.claims.values()))
+        for file in map(_file, names)
     )
-
-
-def _title(part: Any) -> str:
-    return str(getattr(part, "title", "") or part.__doc__ or part.__name__)
-
-
-def _named_in(part: Any) -> dict[Claim, None]:
-    """Yield the claims that a module names, its own and imported ones, or those of a file."""
-    from types import ModuleType
-
-    from tresym.ledger.claim import Claim
-
-    named = vars(part) if isinstance(part, ModuleType) else part.claims
-    several = (v if isinstance(v, tuple) else (v,) for v in named.values())
-    return dict.fromkeys(v for vs in several for v in vs if isinstance(v, Claim))
 
 
 @cache
 def _file(part: str) -> Any:
-    """The part that a file states; None if there is no such file."""
+    """The part that a file states."""
     from pathlib import Path
 
-    path = Path(__file__).parent / f"{part}.tresym"
-    if not path.is_file():
-        return None
     from tresym.papers.ledger_claims import read_part
 
-    return read_part(path, _values_of)
+    return read_part(Path(__file__).parent / f"{part}.tresym", _values_of)
 
 
 def _values_of(part: str) -> Mapping[str, Any]:
@@ -125,8 +91,7 @@ def _values_of(part: str) -> Mapping[str, Any]:
 
     if part in FORMULAS:
         return vars(import_module(f"tresym.racket.formulas.{FORMULAS[part]}"))
-    file = _file(part)
-    return vars(import_module(f"tresym.proofs.{part}")) if file is None else file.values
+    return _file(part).values if part in PARTS else vars(import_module(f"tresym.proofs.{part}"))
 
 
 def written_in(labels: Iterable[str]) -> tuple[str, ...]:
@@ -135,13 +100,9 @@ def written_in(labels: Iterable[str]) -> tuple[str, ...]:
     from pathlib import Path
 
     words = "|".join(map(re.escape, labels))
-    stands = re.compile(rf"^(?:let |assume )?(?:{words})\b|label=\"(?:{words})\"", re.MULTILINE)
+    stands = re.compile(rf"^(?:let |assume )?(?:{words})\b", re.MULTILINE)
     folder = Path(__file__).parent
-    files = {part: folder / f"{part}.tresym" for part in PARTS}
-    texts = {
-        part: (path if path.is_file() else folder / f"{part}.py").read_text("utf-8")
-        for part, path in files.items()
-    }
+    texts = {part: (folder / f"{part}.tresym").read_text("utf-8") for part in PARTS}
     return tuple(part for part in PARTS if stands.search(texts[part]))
 
 
@@ -199,10 +160,10 @@ def _enclosed(a: Any, b: Any) -> tuple[str, str]:
 def __getattr__(name: str) -> Any:
     """Make ``PAPER`` when it is first asked for, since it loads the ledger and SymPy.
 
-    The parts that are files of claims are read when they are first asked for.
+    The parts are read when they are first asked for.
     """
-    if name in PARTS and (part := _file(name)) is not None:
-        return part
+    if name in PARTS:
+        return _file(name)
     if name != "PAPER":
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from pathlib import Path

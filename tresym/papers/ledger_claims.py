@@ -1,8 +1,8 @@
-"""Read a file of claims as claims of the ledger, so that a paper may be written in both.
+"""Read a file of claims as claims of the ledger.
 
-The file ``proofs/slope.tresym`` states the claims of a part of the paper, as a module of Python
-does. It is written as any file of claims (:mod:`tresym.papers.reading`), its claims are those of
-:mod:`tresym.ledger.claim`, and the engine decides them (:mod:`tresym.ledger.evidence.decided`)::
+The file ``proofs/slope.tresym`` states the claims of a part of the paper. It is written as any file
+of claims (:mod:`tresym.papers.reading`), its claims are those of :mod:`tresym.ledger.claim`, and
+the engine decides them (:mod:`tresym.ledger.evidence.decided`)::
 
     # Appendix: how the flip defect depends on γ
     use shape from conditions
@@ -74,12 +74,6 @@ This is how each line is understood:
   on: …`` names claims that are not put in. ``> prints: …`` is the formula as the paper prints it;
   an order of which a bound is decided says how it follows from the bound, ``> prints: f == g + O(x)
   as x -> 0, with a, b fixed, where u == v``.
-
-To convert a module of Python: write each claim on a line, with the same conditions in the same
-order and the claims that its evidence names after ``using``, and compare. Statement and conditions
-must be equal to those of the module, as SymPy expressions; then everything that is printed stays,
-and the stored proof of Coq is one of the same theorem. Modules that import from the converted one
-ask for it by ``from tresym.proofs import slope`` and write ``slope.d51``.
 """
 
 from __future__ import annotations
