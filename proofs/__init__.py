@@ -2,7 +2,7 @@
 
 A part is a file of claims, such as ``slope.tresym``. What it states is asked for as
 ``from tresym.proofs import slope``, and then ``slope.d51``. The modules of Python beside them hold
-what files take from elsewhere: conditions, theorems of mechanics, charts, tables.
+what files take from elsewhere: conditions, laws of mechanics, charts, tables.
 """
 
 from __future__ import annotations
