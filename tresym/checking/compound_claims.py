@@ -496,7 +496,8 @@ class _Deciding:
     def only_one(self, search: _Solutions, crosses: bool) -> list[Answer]:
         """The obligation that there is one solution at most."""
         if search.gap is not None:
-            return [Answer(UNDECIDED, f"{search.gap} is not shown to be smooth")]
+            why = f"it is not shown that both sides are smooth in the interval: {search.gap}"
+            return [Answer(UNDECIDED, why)]
         slope = worked_out(derivative(search.f, search.name))
         tried = []
         # A derivative that is not negative will do where f is analytic and is not constant.
@@ -901,7 +902,7 @@ def _first(otherwise: Answer, *ways: Callable[[], Answer | None]) -> Answer:
 def _not_shown(answers: Sequence[Answer]) -> Answer:
     """What is missing of the obligations of a lemma, which refutes nothing."""
     broken = worst(answers)
-    why = f"not shown: {broken.read_as} ({broken.why})"
+    why = f"not shown: {broken.read_as} ({broken.why})" if broken.read_as else broken.why
     return Answer(UNDECIDED, why, obligations=tuple(map(_obligation, answers)))
 
 
