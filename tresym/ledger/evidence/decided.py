@@ -294,19 +294,20 @@ def _decided(
         integrals_exist: whether the integrals in it are shown to exist already.
     """
     left, right = relation.left, relation.right
+    worked = Relation(worked_out(left), relation.sign, worked_out(right))
     exist = defined_there and relation.sign == "=="
     if exist and _binders_exist((left, right), given, integrals_exist):
-        one, other = generalised(worked_out(left), worked_out(right))
+        one, other = generalised(worked.left, worked.right)
         found = decide_continuous(one, other, known(given))
         if found.verdict is Verdict.PROVED:
             return Answer(found.verdict, found.why, str(relation))
-    worked = Relation(worked_out(left), relation.sign, worked_out(right))
-    if defined_there and relation.sign in ORDERINGS and is_manifest(worked, given):
-        why = "the sign of the difference follows from those of its parts"
-        return Answer(Verdict.PROVED, why, str(relation))
-    if defined_there and relation.sign in ORDERINGS and _by_integrands(relation, given):
-        why = "the signs of the integrands show that of the difference"
-        return Answer(Verdict.PROVED, why, str(relation))
+    if defined_there and relation.sign in ORDERINGS:
+        if is_manifest(worked, given):
+            why = "the sign of the difference follows from those of its parts"
+            return Answer(Verdict.PROVED, why, str(relation))
+        if _by_integrands(relation, given):
+            why = "the signs of the integrands show that of the difference"
+            return Answer(Verdict.PROVED, why, str(relation))
     return decide_claim(stated(((left, relation.sign, right),), asked))
 
 

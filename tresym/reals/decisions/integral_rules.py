@@ -22,7 +22,7 @@ from tresym.reals.decisions.answer import Answer, Decide
 from tresym.reals.decisions.identity import decide
 from tresym.reals.decisions.statement import Statement, functions
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language.binders import elementary, integral, outermost
+from tresym.reals.language.binders import elementary, outermost, under_the_integral
 from tresym.reals.language.comparisons import Comparison
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -151,15 +151,7 @@ def _rule(node: Expr, name: str, given: Given) -> Expr:
         raise _OpenError(
             f"{node}: its integrand could not be shown to be smooth from {low} to {high}"
         )
-    ends = (
-        sign_ * substitute(f, {t: end}) * differentiate(end, name)
-        for sign_, end in ((1, high), (-1, low))
-        if name in symbols(end)
-    )
-    inner = differentiate(f, name)
-    if t not in symbols(inner):
-        return add(*ends, ZERO if inner == ZERO else inner * (high - low))
-    return add(*ends, integral(inner, t, low, high))
+    return under_the_integral(node, name)
 
 
 def between(t: str, low: Expr, high: Expr, given: Given) -> list[Given]:

@@ -25,7 +25,13 @@ from tresym.reals.domain import binder_values
 from tresym.reals.domain.binder_values import At, along, bracket, jumps
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import InBalls, UndefinedError
-from tresym.reals.language.binders import derivative, elementary, integral, outermost, worked_out
+from tresym.reals.language.binders import (
+    derivative,
+    elementary,
+    outermost,
+    under_the_integral,
+    worked_out,
+)
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -209,13 +215,7 @@ def by_leibniz(e: Expr) -> Expr:
             continue
         (name,), body = node.args[1].args, instantiate(node.args[0], node.args[1:])
         if body.op == "integral":
-            (t,), f = opened(body, (name,))
-            low, high = body.args[1:]
-            first, last = (substitute(f, {t: end}) for end in (low, high))
-            slope = differentiate(f, name)
-            inner = integral(slope, t, low, high) if t in symbols(slope) else slope * (high - low)
-            ends = last * differentiate(high, name) - first * differentiate(low, name)
-            known[node] = ends + inner
+            known[node] = under_the_integral(body, name)
     return replaced(e, known)
 
 

@@ -16,6 +16,7 @@ from tresym.reals.language.expression import (
     ORDERS,
     UNWORKED,
     Expr,
+    add,
     bind,
     factors_in,
     instantiate,
@@ -64,6 +65,23 @@ def is_infinite(e: Expr) -> bool:
     """Return whether ``e`` is a sum or product of infinitely many terms."""
     ends = (symbol("oo"), -symbol("oo"))
     return e.op in ("sum", "product") and any(end in ends for end in e.args[1:])
+
+
+def under_the_integral(node: Expr, name: str) -> Expr:
+    """Return the derivative of an integral by a variable, as Leibniz's rule has it.
+
+    Whether the rule holds, and the result exists, is for the caller to show.
+    """
+    (t,), f = opened(node, (name,))
+    low, high = node.args[1:]
+    ends = [
+        sign * substitute(f, {t: end}) * differentiate(end, name)
+        for sign, end in ((1, high), (-1, low))
+        if name in symbols(end)
+    ]
+    slope = differentiate(f, name)
+    inner = integral(slope, t, low, high) if t in symbols(slope) else slope * (high - low)
+    return add(*ends, inner)
 
 
 def derivative(f: Expr, name: str, point: Expr | None = None) -> Expr:
