@@ -18,7 +18,8 @@ from itertools import groupby, pairwise
 from tresym.checking.time_limited import Task, check_all
 from tresym.manuscript import prose
 from tresym.manuscript.classification import DEFINED, EQUATION
-from tresym.manuscript.deciding import PASSES, Row
+from tresym.manuscript.consequences import Step
+from tresym.manuscript.deciding import NEAR, PASSES, Row, step_to
 from tresym.manuscript.support import ACCUSED, WITHOUT, explained, weighed
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.domain.conditions import Given
@@ -41,7 +42,6 @@ _CASES = re.compile(
     re.IGNORECASE,
 )
 """Words by which two equations of a display need not hold together."""
-_LINE = re.compile(r"\blines? (\d+)")
 
 
 def settled(rows: Sequence[Row], seconds: float = 2.0, processes: int | None = None) -> list[Row]:
@@ -55,7 +55,7 @@ def settled(rows: Sequence[Row], seconds: float = 2.0, processes: int | None = N
     _contradicting(result)
     _told_once(result, seconds, processes)
     _weigh(result)
-    _without_premises(result)
+    _without_premises(result, seconds, processes)
     return result
 
 
@@ -174,13 +174,44 @@ def _around(first: Row, second: Row) -> str:
     return f"{one[0]} {other_[1]} {other_[2]}"
 
 
-def _without_premises(rows: list[Row]) -> None:
-    """Undo what was proved from lines that are all accused now."""
-    accused = {row.link.display.line for row in rows if row.status in ACCUSED}
-    clean = {row.link.display.line for row in rows if row.status not in ACCUSED and row.link.sides}
+def _without_premises(rows: list[Row], seconds: float, processes: int | None) -> None:
+    """Undo what was proved from accused rows, unless it follows from the others as well."""
+    accused = [(n, row) for n, row in enumerate(rows) if row.status in ACCUSED]
+    found: dict[int, tuple[Row, Step | None]] = {}
     for n, row in enumerate(rows):
-        named = {int(line) for line in _LINE.findall(row.why)}
-        wrong = (named & accused) - clean
-        if row.status in PASSES and row.why.startswith(FOLLOWS) and wrong:
-            why = f"{row.why}; but line {min(wrong)} is accused"
-            rows[n] = replace(row, status=Verdict.UNDECIDED.value, why=why)
+        wrong = [one for k, one in accused if k < n <= k + NEAR and _may_rest_on(row, one)]
+        if row.status in PASSES and wrong:
+            left = [one for one in rows[:n] if one.status not in ACCUSED]
+            again = [*left, replace(row, status=EQUATION), *rows[n + 1 :]]
+            found[n] = wrong[-1], step_to(again, len(left)) if _by_step(row) else None
+    tasks = [Task(text, line=n) for n, (_, step) in found.items() if step for text in step.claims]
+    failed = {n for n, (_, step) in found.items() if step is None}
+    for task, answer in check_all(tasks, seconds, processes) if tasks else ():
+        if not isinstance(answer, Answer) or answer.verdict is not Verdict.PROVED:
+            failed.add(task.line or 0)
+    for n, (one, step) in found.items():
+        if step is not None and n not in failed:
+            rows[n] = replace(rows[n], why=step.why)
+        else:
+            why = (
+                f"{rows[n].why}; but {one.link.read_as} in line {one.link.display.line} is accused"
+            )
+            rows[n] = replace(rows[n], status=Verdict.UNDECIDED.value, why=why)
+
+
+def _may_rest_on(row: Row, one: Row) -> bool:
+    """Whether a row may have been proved from another one, which stands before it."""
+    link, sides = row.link, one.link.sides
+    if _by_step(row):
+        return one.link.reach == link.reach[: len(one.link.reach)]
+    if link.solves is not None:
+        return (link.solves.display, link.solves.shown) == (one.link.display.number, one.link.shown)
+    return sides is not None and any(
+        str(sides[0]) == name and sides[2] == value for name, value in row.put
+    )
+
+
+def _by_step(row: Row) -> bool:
+    """Whether a row was proved from equations before it, not from the one that it solves."""
+    solved = row.link.solves is None and row.why.startswith("it solves")
+    return solved or row.why.startswith(FOLLOWS)

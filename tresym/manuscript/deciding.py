@@ -175,7 +175,7 @@ def _solving(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
 
 def _following(rows: list[Row], limit: float, processes: int | None) -> list[Row]:
     """Return the rows; a link that follows from equations before it is PROVED from them."""
-    found = {n: step for n in range(len(rows)) if (step := _step(rows, n)) is not None}
+    found = {n: step for n in range(len(rows)) if (step := step_to(rows, n)) is not None}
     tasks = [Task(text, line=n) for n, step in found.items() for text in step.claims]
     held: dict[int, list[bool]] = {}
     for task, answer in check_all(tasks, limit, processes) if tasks else ():
@@ -265,7 +265,7 @@ def _restated(row: Row, before: Row) -> Row:
     return replace(row, status=EQUATION, why=why, put=())
 
 
-def _step(rows: Sequence[Row], n: int) -> Step | None:
+def step_to(rows: Sequence[Row], n: int) -> Step | None:
     """Return the step by which an undecided link may follow from those before it in its section."""
     row, link = rows[n], rows[n].link
     if row.status not in (EQUATION, DEFINED, Verdict.UNDECIDED.value) or link.sides is None:
@@ -325,7 +325,8 @@ def _is_premise(row: Row, link: Link) -> bool:
     if own.display == link.display and link.sides and own.sides[2] == link.sides[0]:
         return False  # the next link of one chain says something new
     stated = (EQUATION, DEFINED, "ASSUMED", Verdict.UNDECIDED.value)
-    return row.status in stated or bool(own.solves) or row.why.startswith("it ")
+    from_before = bool(own.solves) or row.why.startswith(("it follows", "it solves"))
+    return row.status in stated or (from_before and row.status in PASSES)
 
 
 def _is_of_derivative(link: Link) -> bool:
