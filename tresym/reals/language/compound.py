@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any, NamedTuple, TypeAlias
 
 from tresym.reals.language.brackets import closing, encloses, places, split
@@ -85,13 +86,15 @@ _IN_WORDS = re.compile(
 _EULER = re.compile(r"(?<![\w.\\])e(?!\w)")
 
 
-class Together(NamedTuple):
+@dataclass(frozen=True)
+class Together:
     """All of the parts are claimed."""
 
     parts: tuple[Formula, ...]
 
 
-class Equivalent(NamedTuple):
+@dataclass(frozen=True)
+class Equivalent:
     """Each of the parts follows from each other one."""
 
     parts: tuple[Formula, ...]
