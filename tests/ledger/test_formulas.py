@@ -40,4 +40,4 @@ def test_a_conjunction_is_no_equivalence() -> None:
     assert Together((part,)) != Equivalent((part,))
     assert parts_of(Under(part, ())) == (Under(part, ()),)
     assert part.left == symbol("x")
-    assert ONE != part.right
+    assert part.right != ONE
