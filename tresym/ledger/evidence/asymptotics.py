@@ -11,33 +11,47 @@ function there.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
-from sympy import Basic, Eq, Expr, Rational, Symbol, Tuple, oo
+from sympy import Eq, Symbol
 from sympy.core.function import AppliedUndef
-from sympy.core.relational import Relational
 
 from tresym.asymptotics.order_claims import decide_order
 from tresym.ledger.claim import Claim, Root
-from tresym.ledger.conversion import conditions, defined, definitions, tree
+from tresym.ledger.conversion import conditions, defined, definitions
 from tresym.ledger.finding import Finding, Ruling
-from tresym.ledger.statements import As, ExactlyOne
+from tresym.ledger.formulas import SIDES as SIDES
+from tresym.ledger.formulas import Tending, in_trees, is_equation, names_of
 from tresym.reals.expansions.leading_terms import sign_towards
-from tresym.reals.language.binders import worked_out
+from tresym.reals.language.binders import ordered as in_order
+from tresym.reals.language.binders import outermost, worked_out
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.comparisons import Comparison
-from tresym.reals.language.expression import ONE, ZERO, substitute, symbols
-from tresym.reals.language.expression import Expr as Tree
+from tresym.reals.language.compound import Count
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    ORDERS,
+    ZERO,
+    Expr,
+    number,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.formula import Relation
 from tresym.reals.language.paths import Path
 from tresym.reals.numbers.exact import parse_number
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.verdict import Verdict
 
-t = Symbol("t", real=True)
+PARAMETER = "t"
 """The parameter of a path; it tends to 0 from above."""
 UNASSIGNED = "the path does not give every symbol a value"
-SIDES = {1: (1,), -1: (-1,), 0: (1, -1)}
 
 
 @dataclass(frozen=True)
@@ -52,19 +66,11 @@ class Asymptotics:
         claims: the definition of that symbol, and equations for the function whose root it is.
     """
 
-    along: Mapping[Symbol, Expr] = field(default_factory=dict)
-    beside: Relational | None = None
+    along: Mapping[Any, Any] = field(default_factory=dict)
+    beside: Any = None
     claims: tuple[Claim, ...] = ()
     kind: ClassVar[str] = "order"
     expect: ClassVar[Ruling] = Verdict.REFUTED
-
-
-class Ordered(NamedTuple):
-    """The statement that ``difference`` is O(``gauge``) or o(``gauge``), as ``kind`` says."""
-
-    difference: Expr
-    kind: str
-    gauge: Expr
 
 
 class NotAlongError(ValueError):
@@ -80,40 +86,54 @@ def failing_order(claim: Claim) -> Finding | None:
 
 def _expanded(claim: Claim, proof: Asymptotics) -> Finding:
     """Expand the difference, in one variable or along the path, and compare it with the gauge."""
-    says = claim.statement
-    stated = ordered(says.args[0]) if isinstance(says, As) else None
-    if stated is None or not isinstance(says, As):
+    says = None if claim.statement is None else in_trees(claim.statement)
+    stated = solved_for_order(says.relation) if isinstance(says, Tending) else None
+    if stated is None or not isinstance(says, Tending):
         return Finding(Verdict.UNDECIDED, "the statement must be an equation with one order")
     try:
         if proof.along:
             return _along(claim, proof, says, stated)
-        return _in_one_variable(claim, says, stated)
+        return _in_one_variable(claim, says.path, stated)
     except NotAlongError as error:
         return Finding(Verdict.UNDECIDED, str(error))
 
 
-def ordered(says: Basic) -> Ordered | None:
+def solved_for_order(says: Any) -> Comparison | None:
     """Solve an equation for its only O(…) or o(…), in which it must be linear.
 
     Returns:
-        The difference, the kind (``"O"`` or ``"o"``) and the gauge; None if ``says`` is not such
-        an equation.
+        The comparison of the difference and the gauge by ``"O"`` or ``"o"``; None if ``says`` is
+        not such an equation.
+
+    Example:
+        >>> from tresym.reals.language.formula import Relation
+        >>> from tresym.reals.language.parsing import parse
+        >>> said = Relation(parse("y"), "==", parse("x") + Expr("O", (parse("a"),)))
+        >>> found = solved_for_order(said)
+        >>> str(found.left), found.relation, str(found.right)
+        ('y - x', 'O', 'a')
     """
-    orders = [node for node in says.atoms(AppliedUndef) if str(node.func) in ("O", "o")]
-    if not isinstance(says, Eq) or len(orders) != 1 or len(orders[0].args) != 1:
+    if not isinstance(says, Relation) or not is_equation(says):
         return None
-    (node,), stand_in = orders, Symbol("[order]", real=True)
-    rest = (says.lhs - says.rhs).xreplace({node: stand_in})
-    factor = -rest.diff(stand_in)
-    if stand_in in factor.free_symbols or factor == 0:
+    nodes = {node for node in outermost(says.left, says.right) if node.op in ORDERS}
+    if len(nodes) != 1 or (node := next(iter(nodes))).op not in ("O", "o"):
         return None
-    return Ordered(rest.xreplace({stand_in: 0}), str(node.func), node.args[0] * factor)
+    mark = symbol("[order]")
+    gap = replaced(says.left, {node: mark}) - replaced(says.right, {node: mark})
+    factor = -differentiate(gap, "[order]")
+    if _has_order(gap) or "[order]" in symbols(factor) or factor == ZERO:
+        return None
+    return Comparison(substitute(gap, {"[order]": ZERO}), node.op, node.args[0] * factor)
 
 
-def _in_one_variable(claim: Claim, says: As, stated: Ordered) -> Finding:
+def _has_order(e: Expr) -> bool:
+    """Return whether an order is left in a tree, within an integral or another such node."""
+    return e.op in ORDERS or (e.op not in LEAVES and any(map(_has_order, e.args)))
+
+
+def _in_one_variable(claim: Claim, path: Path, stated: Comparison) -> Finding:
     """Decide an order in one variable, without conditions, by expansions."""
-    _, x, point, side = says.args
-    if not isinstance(x, Symbol) or point.free_symbols:
+    if not path.name or path.together or symbols(path.point or ZERO):
         return Finding(
             Verdict.UNDECIDED,
             "the order is in several variables; a refutation needs a path (Asymptotics(along=...))",
@@ -122,14 +142,9 @@ def _in_one_variable(claim: Claim, says: As, stated: Ordered) -> Finding:
         return Finding(
             Verdict.UNDECIDED, "expansions in one variable take no conditions and use no claims"
         )
-    end = None if point in (oo, -oo) else _tree(point)
-    return _decided(stated, Path(x.name, end, SIDES[int(side)]))
-
-
-def _decided(stated: Ordered, path: Path) -> Finding:
-    """Decide the order on a path and convert the result to a finding."""
-    left, right = _tree(stated.difference), _tree(stated.gauge)
-    found = decide_order(Comparison(left, stated.kind, right), path)
+    found = decide_order(
+        Comparison(worked_out(stated.left), stated.relation, worked_out(stated.right)), path
+    )
     witness = found.witness and {name: parse_number(v) for name, v in found.witness.items()}
     return Finding(
         found.verdict,
@@ -144,57 +159,72 @@ def _decided(stated: Ordered, path: Path) -> Finding:
 # Along a path
 
 
-def _along(claim: Claim, proof: Asymptotics, says: As, stated: Ordered) -> Finding:
+def _along(claim: Claim, proof: Asymptotics, says: Tending, stated: Comparison) -> Finding:
     """Return REFUTED if the order fails on the path, else UNDECIDED."""
-    path = {name: _tree(e) for name, e in proof.along.items()}
-    names = {symbol.name: e for symbol, e in zip(proof.along, path.values(), strict=True)}
-    _need_path(claim, says, stated, names)
-    difference, gauge = (
-        substitute(_tree(e), names) for e in (_beyond(proof, stated, names), stated.gauge)
-    )
-    if (symbols(difference) | symbols(gauge)) - {t.name}:
+    names = {str(name): worked_out(in_trees(e)) for name, e in proof.along.items()}
+    _need_path(claim, says, names)
+    beside = None if proof.beside is None else in_trees(proof.beside)
+    smaller = stated.left if beside is None else _beyond(proof, beside, stated, names)
+    difference, gauge = (substitute(worked_out(e), names) for e in (smaller, stated.right))
+    if (symbols(difference) | symbols(gauge)) - {PARAMETER}:
         raise NotAlongError(UNASSIGNED)
-    found = decide_order(Comparison(difference, stated.kind, gauge), Path(t.name, ZERO, (1,)))
+    found = decide_order(
+        Comparison(difference, stated.relation, gauge), Path(PARAMETER, ZERO, (1,))
+    )
     if found.verdict is not Verdict.REFUTED or found.witness is None:
         return Finding(Verdict.UNDECIDED, f"the order does not fail on the path: {found.why}")
     where = ", ".join(f"{name} = {e}" for name, e in sorted(names.items()))
-    here = {t: Rational(found.witness[t.name])}
-    point = {symbol.name: e.subs(here) for symbol, e in ((t, t), *proof.along.items())}
-    witness = {name: parse_number(str(e)) for name, e in point.items() if e.is_Rational}
-    beyond = f", where {proof.beside}, at that bound" if proof.beside is not None else ""
+    here = {PARAMETER: number(parse_number(found.witness[PARAMETER]))}
+    path = {PARAMETER: symbol(PARAMETER), **names}
+    point = {name: substitute(e, here) for name, e in path.items()}
+    witness = {name: e.args[0] for name, e in point.items() if e.op == "number"}
+    beyond = f", where {proof.beside}, at that bound" if beside is not None else ""
     why = f"along {where}{beyond} {found.why}"
     return Finding(
         Verdict.REFUTED, why, parameter=f"t -> 0+, {where}", witness=witness, along=where
     )
 
 
-def _need_path(claim: Claim, says: As, stated: Ordered, names: Mapping[str, Tree]) -> None:
+def _need_path(claim: Claim, says: Tending, names: Mapping[str, Expr]) -> None:
     """Require that the path satisfies the conditions, reaches the limit and sets free symbols only.
 
     Raises:
         NotAlongError: one of these could not be shown.
     """
-    spoken_of = says.free_symbols.union(*(c.free_symbols for c in claim.given))
-    if t in spoken_of:
-        raise NotAlongError(f"the parameter {t} of the path must not occur in the statement")
-    if {*names} & (defined(claim) | {t.name}):
+    if PARAMETER in names_of(says, *map(in_trees, claim.given)):
+        raise NotAlongError(
+            f"the parameter {PARAMETER} of the path must not occur in the statement"
+        )
+    if {*names} & (defined(claim) | {PARAMETER}):
         raise NotAlongError("the path must not give a value to a defined symbol")
     _need(claim.given, names)
-    what, ends = (e.args if isinstance(e, Tuple) else (e,) for e in says.args[1:3])
-    if len(what) != len(ends):
+    if len(says.path.together) != len(says.path.points):
         raise NotAlongError("the statement must give one limit for each expression that tends")
-    for e, end in zip(what, ends, strict=True):
-        here, side = substitute(_tree(e), names), int(says.args[3])
-        if end in (oo, -oo):
-            side, off = (1 if end == oo else -1), ONE / here
+    for e, end, side in _tending(says.path):
+        here = substitute(worked_out(e), names)
+        if end in (INFINITY, -INFINITY):
+            side, off = (1 if end == INFINITY else -1), ONE / here
         else:
-            off = here - _tree(end)
-        vanishing = decide_order(Comparison(off, "o", ONE), Path(t.name, ZERO, (1,)))
+            off = here - worked_out(end)
+        vanishing = decide_order(Comparison(off, "o", ONE), Path(PARAMETER, ZERO, (1,)))
         if not vanishing.verdict.holds or side not in (0, _sign(off)):
             raise NotAlongError(f"could not show that {e} tends to {end} on the path")
 
 
-def _need(given: tuple[Basic, ...], names: Mapping[str, Tree]) -> None:
+def _tending(path: Path) -> Iterator[tuple[Expr, Expr, int]]:
+    """Yield what tends, to which point, and from which side (0 for both)."""
+    if path.expression is not None:
+        yield path.expression, INFINITY, 1
+    elif path.together:
+        yield from ((symbol(x), p, 0) for x, p in zip(path.together, path.points, strict=True))
+    else:
+        side = path.sides[0] if len(path.sides) == 1 else 0
+        far = INFINITY if side > 0 else -INFINITY
+        end = far if path.point is None else path.point
+        yield symbol(str(path.name)), end, side
+
+
+def _need(given: tuple[Any, ...], names: Mapping[str, Expr]) -> None:
     """Require that the conditions hold on the path for small t."""
     for condition in conditions(given):
         up = condition.upward
@@ -204,35 +234,39 @@ def _need(given: tuple[Basic, ...], names: Mapping[str, Tree]) -> None:
             raise NotAlongError(f"could not show the condition {condition} on the path")
 
 
-def _beyond(proof: Asymptotics, stated: Ordered, names: Mapping[str, Tree]) -> Expr:
+def _beyond(
+    proof: Asymptotics, beside: Relation, stated: Comparison, names: Mapping[str, Expr]
+) -> Expr:
     """Return the difference with the candidate in place of the root, which makes it smaller.
 
     Raises:
         NotAlongError: it could not be shown that this makes the difference smaller in size.
     """
-    if proof.beside is None:
-        return stated.difference
     root = next((c.proof for c in proof.claims if isinstance(c.proof, Root)), None)
-    unique = None if root is None else root.unique.statement
-    symbol, candidate = proof.beside.args
-    if root is None or not isinstance(unique, ExactlyOne) or symbol != root.symbol:
-        raise NotAlongError(f"{symbol} is not defined as the root of a function")
-    side = {">": 1, "<": -1}.get(proof.beside.rel_op)
+    unique = None if root is None else in_trees(root.unique.statement)
+    written, candidate = beside.left, worked_out(beside.right)
+    one = unique if isinstance(unique, Count) and unique.how == "exactly one" else None
+    if root is None or one is None or written != symbol(str(root.symbol)):
+        raise NotAlongError(f"{written} is not defined as the root of a function")
+    side = {">": 1, "<": -1}.get(beside.sign)
     if side is None:
-        raise NotAlongError(f"{proof.beside} must be a strict inequality, with > or <")
-    at_candidate = {**names, unique.variable.name: substitute(_tree(candidate), names)}
+        raise NotAlongError(f"{beside} must be a strict inequality, with > or <")
+    low, high = worked_out(one.low), worked_out(one.high)
+    at_candidate = {**names, one.name: substitute(candidate, names)}
     _need(root.unique.given, names)
-    for low, high in ((unique.low, candidate), (candidate, unique.high)):
-        if _sign(substitute(_tree(high - low), names)) != 1:
+    for below, above in ((low, candidate), (candidate, high)):
+        if _sign(substitute(above - below, names)) != 1:
             raise NotAlongError("could not show that the candidate lies between the ends")
-    vanishing = _tree(unique.difference)
-    end = substitute(_tree(unique.low if side == 1 else unique.high), names)
+    vanishing = worked_out(one.equation[0] - one.equation[2])
+    end = substitute(low if side == 1 else high, names)
     here = _sign(substitute(_put_in(vanishing, proof, at_candidate), at_candidate))
-    there = _sign(substitute(vanishing, {**names, unique.variable.name: end}))
+    there = _sign(substitute(vanishing, {**names, one.name: end}))
     if {here, there} not in ({1}, {-1}):
-        raise NotAlongError(f"could not show {proof.beside} on the path")
-    slope, beyond = stated.difference.diff(symbol), stated.difference.xreplace({symbol: candidate})
-    signs = [_sign(substitute(_tree(e), names)) for e in (slope * side, beyond)]
+        raise NotAlongError(f"could not show {beside} on the path")
+    difference, name = worked_out(stated.left), str(root.symbol)
+    beyond = substitute(difference, {name: candidate})
+    slope = side * differentiate(difference, name)
+    signs = [_sign(substitute(e, names)) for e in (slope, beyond)]
     if signs not in ([1, 1], [-1, -1]):
         raise NotAlongError(
             "could not show that the difference is larger in size at the root than at the candidate"
@@ -240,28 +274,50 @@ def _beyond(proof: Asymptotics, stated: Ordered, names: Mapping[str, Tree]) -> E
     return beyond
 
 
-def _put_in(e: Tree, proof: Asymptotics, names: Mapping[str, Tree]) -> Tree:
+def _put_in(e: Expr, proof: Asymptotics, names: Mapping[str, Expr]) -> Expr:
     """Replace ``e`` by the right side of a used claim's equation for it, if there is one."""
     for claim in proof.claims:
         rules = {} if isinstance(claim.proof, Root) else definitions((claim,))
-        if e in rules:
+        known = {in_order(left): right for left, right in rules.items()}
+        if in_order(e) in known:
             _need(claim.given, names)
-            return rules[e]
+            return known[in_order(e)]
     return e
 
 
-def _sign(e: Tree) -> int | None:
+def _sign(e: Expr) -> int | None:
     """Return the sign of ``e`` for small t > 0 (1, −1 or 0), or None if it is unknown.
 
     Raises:
         NotAlongError: ``e`` contains a symbol other than t.
     """
-    if symbols(e) - {t.name}:
+    if symbols(e) - {PARAMETER}:
         raise NotAlongError(UNASSIGNED)
-    found = sign_towards(e, t.name, ZERO, 1)
+    found = sign_towards(e, PARAMETER, ZERO, 1)
     return None if found is None else found[0]
 
 
-def _tree(e: Basic) -> Tree:
-    """Return the expression tree with derivatives and substitutions carried out."""
-    return worked_out(tree(e))
+# For the modules that hold statements of SymPy
+
+t = Symbol("t", real=True)
+
+
+class Ordered(NamedTuple):
+    """The statement that ``difference`` is O(``gauge``) or o(``gauge``), as ``kind`` says."""
+
+    difference: Any
+    kind: str
+    gauge: Any
+
+
+def ordered(says: Any) -> Ordered | None:
+    """Solve an equation of SymPy for its only O(…) or o(…)."""
+    orders = [node for node in says.atoms(AppliedUndef) if str(node.func) in ("O", "o")]
+    if not isinstance(says, Eq) or len(orders) != 1 or len(orders[0].args) != 1:
+        return None
+    (node,), stand_in = orders, Symbol("[order]", real=True)
+    rest = (says.lhs - says.rhs).xreplace({node: stand_in})
+    factor = -rest.diff(stand_in)
+    if stand_in in factor.free_symbols or factor == 0:
+        return None
+    return Ordered(rest.xreplace({stand_in: 0}), str(node.func), node.args[0] * factor)

@@ -188,6 +188,8 @@ def _root_as_written(node: Any, walk: Any) -> Expr:
 
 
 def _order_as_written(node: Any, walk: Any) -> Expr:
+    if len(node.args) != 1:
+        raise InputError(f"{node} is no order of one expression")
     return order(type(node).__name__, *map(walk, node.args))
 
 
