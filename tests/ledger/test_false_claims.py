@@ -61,7 +61,7 @@ from tresym.ledger.evidence.chart_bounds import Charted, On, Shown
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.evidence.refutation import Denied
-from tresym.ledger.evidence.remainders import HOT, Remainder
+from tresym.ledger.evidence.remainders import Remainder
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import (
@@ -99,6 +99,7 @@ pytestmark = pytest.mark.quick
 
 x, y, z, a, b, c, k, p, q, u, v, w = (Symbol(name, real=True) for name in "xyzabckpquvw")
 O, o = Function("O"), Function("o")  # noqa: E741
+HOT = Symbol("hot", real=True)
 ZERO, ONE, TWO = Integer(0), Integer(1), Integer(2)
 HALF = Rational(1, 2)
 FALSEHOOD = equal(ZERO, ONE)

@@ -271,7 +271,7 @@ def in_trees(says: Any) -> Any:
                 *(tuple(tuple(map(in_trees, row)) for row in m.tolist()) for m in says.args)
             )
         return Relation(in_trees(says.lhs), sympy_reader.RELATIONS[kind], in_trees(says.rhs))
-    return ordered(sympy_reader.unworked(says))
+    return ordered(sympy_reader.unworked(says, any_value=True))
 
 
 def _count(how: str) -> Callable[[Any], Count]:

@@ -9,7 +9,7 @@ from tresym.ledger.claim import Claim, equal
 from tresym.ledger.conversion import conditions
 from tresym.ledger.evidence.allowed_evidence import is_formal
 from tresym.ledger.evidence.chart_bounds import Charted, On, Shown
-from tresym.ledger.evidence.remainders import HOT, Remainder, unreached, untied
+from tresym.ledger.evidence.remainders import Remainder, unreached, untied
 from tresym.ledger.judge import judge
 from tresym.reals.balls.branch_and_bound import box
 from tresym.reals.verdict import Verdict
@@ -18,6 +18,7 @@ pytestmark = pytest.mark.quick
 
 x, y = (Symbol(name, real=True) for name in "xy")
 O = Function("O")  # noqa: E741
+HOT = Symbol("hot", real=True)
 SUM = x + x**2
 
 

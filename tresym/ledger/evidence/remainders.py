@@ -9,23 +9,35 @@ order, and its region contains a neighbourhood of the limit point. An expansion
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-
-from sympy import Abs, Basic, Eq, Expr, Integer, Le, Symbol
-from sympy.core.function import AppliedUndef
+from typing import Any, NamedTuple
 
 from tresym.ledger.claim import Claim
-from tresym.ledger.conversion import Conditions, conditions, defined, known, tree
-from tresym.ledger.evidence.asymptotics import ordered
+from tresym.ledger.conversion import Conditions, conditions, defined, known
 from tresym.ledger.evidence.sign_prover import is_manifest
-from tresym.ledger.statements import As
+from tresym.ledger.formulas import Tending, in_trees, mapped, names_of, sides_of
 from tresym.reals.decisions.identity import decide_continuous
-from tresym.reals.language.expression import ZERO, substitute, symbol, symbols
+from tresym.reals.domain.operation_domains import operations
+from tresym.reals.language.binders import elementary, ordered
+from tresym.reals.language.comparisons import terms
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    add,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.formula import Relation
+from tresym.reals.language.like_terms import collected
+from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
-HOT = Symbol("hot", real=True)
+HOT = "hot"
 """Stands for higher-order terms whose size the formula does not state ("h.o.t.")."""
 
 
@@ -39,18 +51,50 @@ class Remainder:
         reading: substitutions from the printed formula to the bound, which are shown to the reader.
     """
 
-    tends: Symbol
-    held: tuple[Symbol, ...] = ()
-    reading: tuple[tuple[Basic, Basic], ...] = ()
+    tends: Any
+    held: tuple[Any, ...] = ()
+    reading: tuple[tuple[Any, Any], ...] = ()
 
 
-def is_open(says: Basic) -> bool:
+class Ordered(NamedTuple):
+    """The statement that ``difference`` is O(``gauge``) or o(``gauge``), as ``kind`` says."""
+
+    difference: Expr
+    kind: str
+    gauge: Expr
+
+
+def is_open(says: Any) -> bool:
     """Return whether a formula contains O(…), o(…) or unspecified higher-order terms."""
-    return HOT in says.free_symbols or bool(_orders(says))
+    stated = in_trees(says)
+    return HOT in names_of(stated) or bool(_orders(sides_of(stated)))
 
 
-def _orders(says: Basic) -> list[AppliedUndef]:
-    return [node for node in says.atoms(AppliedUndef) if str(node.func) in ("O", "o")]
+def _orders(sides: Iterable[Expr]) -> list[Expr]:
+    """Return the orders O(…) and o(…) in expressions, each once."""
+    return [node for node in operations(sides) if node.op in ("O", "o")]
+
+
+def solved_for_order(says: Any) -> Ordered | None:
+    """Solve an equation for its only O(…) or o(…), in which it must be linear.
+
+    Example: ``y == x + 2*O(x**2)`` says that y − x is O of −2x².
+
+    Returns:
+        The difference, the kind (``"O"`` or ``"o"``) and the gauge; None if ``says`` is not such
+        an equation.
+    """
+    orders = _orders(sides_of(says))
+    if not isinstance(says, Relation) or says.sign != "==" or len(orders) != 1:
+        return None
+    (node,) = orders
+    mark = symbol("[order]")
+    rest = replaced(says.left - says.right, {node: mark})
+    factor = collected(-differentiate(rest, str(mark))) if elementary(rest) else rest
+    if str(mark) in symbols(factor) or factor == ZERO:
+        return None
+    difference = substitute(rest, {str(mark): ZERO})
+    return Ordered(difference, node.op, node.args[0] * factor)
 
 
 def _remainder(claim: Claim) -> Remainder | None:
@@ -61,12 +105,12 @@ def _remainder(claim: Claim) -> Remainder | None:
 
 def as_printed(claim: Claim) -> bool:
     """Return whether the printed order follows from the decided formula without interpretation."""
-    if isinstance(claim.means, As):
+    if isinstance(in_trees(claim.means), Tending):
         return True
     remainder = _remainder(claim)
     if remainder is None or remainder.reading:
         return False
-    return remainder.tends.name not in defined(claim)
+    return str(remainder.tends) not in defined(claim)
 
 
 def untied(claim: Claim) -> str | None:
@@ -75,73 +119,91 @@ def untied(claim: Claim) -> str | None:
     Args:
         claim: a claim; only one with a formula in both ``says`` and ``means`` is examined.
     """
-    says, means = claim.says, claim.means
-    if isinstance(says, str) or means is None:
+    if isinstance(claim.says, str) or claim.means is None:
         return None
-    if isinstance(means, As):
-        other = means.args[0] != says
+    says, means = in_trees(claim.says), in_trees(claim.means)
+    if isinstance(means, Tending):
+        other = means.relation != says
         return "the order in `means` differs from the order in `says`" if other else None
-    if not isinstance(says, Eq) or len(_orders(says)) + (HOT in says.free_symbols) != 1:
+    equation = isinstance(says, Relation) and says.sign == "=="
+    if not equation or len(_orders(sides_of(says))) + (HOT in names_of(says)) != 1:
         return "the formula must be an equation with exactly one order"
+    if not isinstance(means, Relation):
+        return _UNRELATED
     try:
-        if isinstance(means, Eq):
+        if means.sign == "==":
             return _no_slope(says, means)
         remainder = _remainder(claim)
-        if remainder is None or not isinstance(means, Le) or not isinstance(means.lhs, Abs):
-            return "the evidence does not relate the decided formula to the printed order"
+        if remainder is None or means.sign != "<=" or means.left.op != "abs":
+            return _UNRELATED
         return _no_bound(says, means, remainder, claim)
     except (InputError, TypeError, ValueError) as error:
         return str(error)
 
 
-def _no_slope(says: Eq, means: Eq) -> str | None:
+_UNRELATED = "the evidence does not relate the decided formula to the printed order"
+
+
+def _no_slope(says: Relation, means: Relation) -> str | None:
     """Return why the printed expansion y = p(x) + O(x²) does not imply the decided slope."""
-    order = next(iter(_orders(says)), None)
-    if order is None or not isinstance(says.lhs, Symbol) or str(order.func) != "O":
+    order = next(iter(_orders(sides_of(says))), None)
+    if order is None or says.left.op != "symbol" or order.op != "O":
         return "the formula is not an expansion of a single symbol"
-    x, rest = next(iter(order.args[0].free_symbols), says.lhs), says.rhs - order
-    if order.args[0] != x**2 or order in rest.atoms(AppliedUndef):
+    x = next(iter(symbols(order.args[0])), str(says.left))
+    rest = add(*(term for term in terms(says.right) if term != order))
+    if order.args[0] != symbol(x) ** 2 or order not in terms(says.right) or _orders((rest,)):
         return "the formula is not an expansion with the remainder O(x²)"
-    slope = rest.diff(x)
-    claimed = x not in slope.free_symbols and _equal(slope, means.rhs, ())
+    slope = collected(differentiate(rest, x))
+    claimed = x not in symbols(slope) and _equal(slope, means.right, ())
     return None if claimed else "the decided slope is not the slope of the printed expansion"
 
 
-def _no_bound(says: Eq, means: Le, remainder: Remainder, claim: Claim) -> str | None:
+def _no_bound(says: Relation, means: Relation, remainder: Remainder, claim: Claim) -> str | None:
     """Return why the printed order does not follow from the decided bound, or None."""
     given = conditions(claim.given)
-    x, (size, gauge) = remainder.tends, (means.lhs.args[0], means.rhs)
-    printed = says.xreplace(dict(remainder.reading))
-    stated = ordered(printed)
+    x, size, gauge = str(remainder.tends), means.left.args[0], means.right
+    read = {in_trees(one): in_trees(other) for one, other in remainder.reading}
+    printed = mapped(says, lambda e: ordered(replaced(e, read)))
+    stated = solved_for_order(printed)
+    hidden = [side for side in (printed.left, printed.right) if HOT in symbols(side)]
     rest = (
-        (printed.lhs - printed.rhs).xreplace({HOT: Integer(0)})
+        substitute(printed.left - printed.right, {HOT: ZERO})
         if stated is None
         else stated.difference
     )
     if not (_equal(rest, size, given) or _equal(rest, -size, given)):
         return "the bound is not on the difference of the two printed sides"
-    why = unreached(x.name, given)
+    why = unreached(x, given)
     if why is not None:
         return why
     if stated is None:
-        (lead,) = (side - HOT for side in printed.args if HOT in side.free_symbols)
-        small = HOT not in lead.free_symbols and (gauge / lead).subs(x, 0) == 0
-        return (
-            None if small else "the bound does not show that the omitted terms are of higher order"
-        )
+        if len(hidden) == 1 and _is_smaller(gauge, hidden[0], x):
+            return None
+        return "the bound does not show that the omitted terms are of higher order"
     if stated.kind == "o":
         return "a bound with a constant proves O(…), but the formula states o(…)"
-    if why := unfit_to_tend(x, stated.gauge, printed):
+    if why := unfit_to_tend(remainder.tends, stated.gauge, printed):
         return why
-    factor = (gauge / stated.gauge).free_symbols
-    if x in remainder.held or not factor <= {*remainder.held}:
+    factor = symbols(in_lowest_terms(gauge / stated.gauge))
+    held = frozenset(map(str, remainder.held))
+    if x in held or not factor <= held:
         return "the right side of the bound is not a constant times the printed order"
     return None
 
 
-def unfit_to_tend(x: Symbol, order: Expr, says: Basic) -> str | None:
+def _is_smaller(gauge: Expr, side: Expr, x: str) -> bool:
+    """Return whether ``gauge`` is of higher order, as x → 0, than what HOT is added to."""
+    lead = collected(side - symbol(HOT))
+    if HOT in symbols(lead) or lead == ZERO:
+        return False
+    ratio = in_lowest_terms(gauge / lead)
+    return in_lowest_terms(substitute(ratio, {x: ZERO})) == ZERO
+
+
+def unfit_to_tend(x: Any, order: Any, says: Any) -> str | None:
     """Return why ``x`` is not the variable of the printed order, or None if it is."""
-    if order.free_symbols <= {x} and x in says.free_symbols:
+    name = str(x)
+    if symbols(in_trees(order)) <= {name} and name in names_of(in_trees(says)):
         return None
     return f"{x} is not the variable of the printed order"
 
@@ -166,7 +228,6 @@ def unreached(x: str, given: Conditions, both: bool = False) -> str | None:
     return None
 
 
-def _equal(left: Expr, right: Expr, given: Conditions) -> bool:
+def _equal(one: Expr, other: Expr, given: Conditions) -> bool:
     """Return whether two expressions are proved equal under the conditions."""
-    one, other = tree(left), tree(right)
     return one == other or (decide_continuous(one, other, known(given)).verdict is Verdict.PROVED)

@@ -53,8 +53,13 @@ def from_sympy(e: Any) -> Expr:
     return tree
 
 
-def unworked(e: Any) -> Expr:
+def unworked(e: Any, any_value: bool = False) -> Expr:
     """Convert a SymPy expression, with integrals, derivatives, values, limits and orders as nodes.
+
+    Args:
+        e: the expression.
+        any_value: accept the value at a point of a symbol that stands for a function of it, which
+            a paper prints and no prover may work out.
 
     Raises:
         InputError: as for :func:`from_sympy`; also for integrals without ends, and for values at a
@@ -66,7 +71,10 @@ def unworked(e: Any) -> Expr:
 
     def walk(node: Any) -> Expr:
         if node not in done:
-            known = _UNWORKED.get(type(node).__name__)
+            name = type(node).__name__
+            if name == "Subs" and not any_value:
+                _need_dependence(node)
+            known = _UNWORKED.get(name)
             done[node] = known(node, walk) if known else _from_sympy_node(sympy, node, walk)
         return done[node]
 
@@ -170,9 +178,12 @@ def _integral_as_written(node: Any, walk: Any) -> Expr:
     return result
 
 
-def _value_as_written(node: Any, walk: Any) -> Expr:
+def _need_dependence(node: Any) -> None:
     if not node.expr.has(*node.variables):
         raise InputError(f"{node.expr} does not say how it depends on {node.variables[0]}")
+
+
+def _value_as_written(node: Any, walk: Any) -> Expr:
     pairs = zip(node.variables, node.point, strict=True)
     return at(walk(node.expr), {variable.name: walk(point) for variable, point in pairs})
 
