@@ -210,7 +210,7 @@ class _Reading(LinkReader):
         if _IMPLICIT.search(prose.last_sentence(before)):
             self.memory.implicitly(display.text)
         try:
-            text, prose_between = between(self.distributions.in_integrals(display.text))
+            text, prose_between = between(self.distributions.in_integrals(display.text, self.words))
             if self.memory.primes:
                 text = re.sub(r"(?<![a-zA-Z\\])([a-zA-Z])'", r"\1_{primed}", text)
             for words in prose_between:

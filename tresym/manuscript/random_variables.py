@@ -1,9 +1,10 @@
-r"""Expected values and variances as integrals: ``\mathbb{E}[X^2]`` for a uniform X is an integral.
+r"""Expected values and probabilities as integrals: ``\mathbb{E}[X^2]`` for a uniform X is one.
 
-"Let $X$ be uniformly distributed on $[0, 1]$" says what ``\mathbb{E}[X^2]`` and
-``\operatorname{Var}(X)`` are: integrals of a function of x times the density of X, or sums over its
-values. They are written so before the display is taken apart. A variable of which the text does not
-say one of these distributions, or that has an index, is left alone, and so its formula is unread.
+"Let $X$ be uniformly distributed on $[0, 1]$" says what ``\mathbb{E}[X^2]``,
+``\operatorname{Var}(X)`` and ``P(X > 1/3)`` are: integrals of a function of x times the density of
+X, or sums over its values. They are written so before the display is taken apart. A variable of
+which the text does not say one of these distributions, or that has an index, is left alone, and so
+its formula is unread; so is a probability whose ends may lie outside of the range of its variable.
 
 Example:
     >>> from tresym.manuscript.random_variables import Distributions
@@ -17,6 +18,7 @@ Example:
 from __future__ import annotations
 
 import re
+from fractions import Fraction
 from typing import NamedTuple
 
 
@@ -69,6 +71,13 @@ def _poisson(mean: str) -> Distribution:
     )
 
 
+def _binomial(number: str, chance: str) -> Distribution:
+    needs = [] if _are_numbers(number) else [rf"{number} \in \mathbb{{N}}"]
+    needs += [] if _are_numbers(chance) else [f"0 < {chance} < 1"]
+    weight = rf"\binom{{{number}}}{{@}} ({chance})^{{@}} (1-({chance}))^{{{number}-@}}"
+    return Distribution(weight, "0", number, True, ", ".join(needs))
+
+
 def _normal(mean: str, variance: str) -> Distribution | None:
     square = re.fullmatch(r"(\\?[a-zA-Z]+)\s*\^\s*\{?2\}?", variance)
     if square is None and not _are_numbers(variance):
@@ -98,6 +107,12 @@ _KNOWN = (
     (rf"{_SIMILAR}Exp(?:onential)?\}}?\s*\(\s*(\\lambda)\s*\)", _exponential),
     (rf"{_VARIABLE}{_BE}Poisson(?:\s+(?:random\s+variable|distribut\w+))?{_PARAMETER}", _poisson),
     (rf"{_SIMILAR}(?:Poisson|Poi|Pois|Po){_ONE}", _poisson),
+    (rf"{_SIMILAR}(?:Bin(?:om(?:ial)?)?|B){_PAIR}", _binomial),
+    (
+        rf"{_VARIABLE}{_BE}binomial(?:ly)?(?:\s+(?:random\s+variable|distribut\w+))?\s*(?:with\s+)?"
+        r"(?:the\s+)?parameters\s*\$\s*([^$,]+?)\s*(?:\$\s*and\s*\$|,)\s*([^$,]+?)\s*\$",
+        _binomial,
+    ),
     (rf"{_SIMILAR}N(?:ormal)?{_PAIR}", _normal),
     (rf"{_VARIABLE}{_BE}standard\s+(?:normal|Gaussian)\b", lambda: _normal("0", "1")),
 )
@@ -129,14 +144,28 @@ _VARIANCE = (
     r"(?:\\(?:operatorname\*?|mathrm|text|mathbb)\s*\{\s*(?:[Vv]ar|V)\s*\}|\\[Vv]ar(?![a-zA-Z])"
     r"|(?<![a-zA-Z\\])Var)"
 )
+_PROBABILITY = (
+    r"(?:\\math(?:bb|bf|rm|sf)\s*\{?\s*P\s*\}?|\\operatorname\*?\s*\{\s*P\s*\}|\\Pr(?![a-zA-Z])"
+    r"|\\Prob(?![a-zA-Z])|(?<![a-zA-Z\\])P)"
+)
 _COMMAND = re.compile(r"\\[a-zA-Z]+")
 _OPERATOR = re.compile(
-    rf"(?:(?P<mean>{_EXPECTED})|(?P<variance>{_VARIANCE}))\s*"
+    rf"(?:(?P<mean>{_EXPECTED})|(?P<variance>{_VARIANCE})|(?P<probability>{_PROBABILITY}))\s*"
     r"(?P<size>\\left|\\[bB]igg?l?)?\s*(?P<open>[\[(]|\\[{\[(])"
 )
 _CLOSES = {"[": "]", "(": ")", "\\{": "\\}", "\\[": "\\]", "\\(": "\\)"}
 _LETTERS = ("x", "t", "u", "v", "w", "y", "z", "s")
 _INDICES = ("k", "j", "m", "l")
+_RELATION = re.compile(r"(<|>|=|\\(?:le|ge)(?:q|qslant)?(?![a-zA-Z]))")
+_SIGNS = {"<": "<", ">": ">", "=": "="} | {
+    f"\\{sign}{more}": relation
+    for sign, relation in (("le", "<="), ("ge", ">="))
+    for more in ("", "q", "qslant")
+}
+_TURNED = {"<": ">", ">": "<", "<=": ">=", ">=": "<=", "=": "="}
+_FRACTION = re.compile(
+    r"(-?)\s*(?:\\[dt]?frac\s*(?:\{(\d+)\}|(\d))\s*(?:\{(\d+)\}|(\d))|([\d.]+(?:/\d+)?))"
+)
 
 
 class Distributions:
@@ -164,8 +193,12 @@ class Distributions:
             needs += [one.needs for one in found.values()]
         return tuple(needs)
 
-    def in_integrals(self, text: str) -> str:
-        """Return a display with expected values and variances of known variables as integrals."""
+    def in_integrals(self, text: str, words: str = "") -> str:
+        """Return a display with expected values and the like of known variables as integrals.
+
+        Args:
+            words: the sentence around it, which may say that an end of a range is positive.
+        """
         if not self.known:
             return text
         at = 0
@@ -175,7 +208,10 @@ class Distributions:
             if end < 0:
                 continue
             inside = re.sub(r"\\right\s*\Z|\\[bB]igg?r?\s*\Z", "", text[mark.end() : end])
-            made = self._written(inside, bool(mark["variance"]), text)
+            if mark["probability"]:
+                made = self._probability(inside, f"{text} {words}")
+            else:
+                made = self._written(inside, bool(mark["variance"]), text)
             if made:
                 end += len(_CLOSES[mark["open"]])
                 text = f"{text[: mark.start()]}{made}{text[end:]}"
@@ -191,15 +227,114 @@ class Distributions:
         one = self.known.get(name)
         if one is None or (variance and inside.strip() != name):
             return ""
-        letters = _INDICES if one.discrete else _LETTERS
-        plain = _COMMAND.sub(" ", f"{text} {one.weight} {one.low} {one.high}")
-        letter = next((a for a in letters if a not in plain), "")
+        letter = _new_letter(one, text)
         if not letter:
             return ""
         value = re.sub(rf"(\\[a-zA-Z]+)|{name}", lambda m: m[1] or letter, inside)
         if not variance:
             return _mean(one, letter, value)
         return rf"\left({_mean(one, letter, letter + '^2')} - {_mean(one, letter, letter)}^2\right)"
+
+    def _probability(self, inside: str, text: str) -> str:
+        """Return the probability of a range of a known variable; empty if it is none."""
+        sides = [side.strip() for side in _RELATION.split(inside)]
+        names = {*re.findall("[A-Z]", _COMMAND.sub(" ", inside))}
+        one = self.known.get(min(names, default=""))
+        if one is None or len(names) != 1 or len(sides) not in (3, 5):
+            return ""
+        name = min(names)
+        if re.search(r"[|,;]|\\mid(?![a-z])|\\[a-z]*(?:cap|cup|land|lor|text)(?![a-z])", inside):
+            return ""
+        terms, relations = sides[::2], [_SIGNS[sign] for sign in sides[1::2]]
+        if terms.count(name) != 1 or (len(terms) == 3 and terms[1] != name):
+            return ""
+        at = terms.index(name)
+        bounds = [(_TURNED[relations[k]], terms[k]) for k in range(at)]
+        bounds += [(relations[k], terms[k + 1]) for k in range(at, len(relations))]
+        letter = _new_letter(one, text)
+        ends = _ends(one, bounds, text) if letter else None
+        if ends is None:
+            return ""
+        low, high = ends
+        if one.discrete and low == high:
+            return rf"\left({one.weight.replace('@', f'{{{low}}}')}\right)"
+        if not one.discrete and low == high:
+            return "0"
+        return _mean(one._replace(low=low, high=high), letter, "1")
+
+
+def _new_letter(one: Distribution, text: str) -> str:
+    """Return a letter for the values of a variable that the text does not use; empty if none."""
+    letters = _INDICES if one.discrete else _LETTERS
+    plain = _COMMAND.sub(" ", f"{text} {one.weight} {one.low} {one.high}")
+    return next((letter for letter in letters if letter not in plain), "")
+
+
+def _ends(one: Distribution, bounds: list[tuple[str, str]], text: str) -> tuple[str, str] | None:
+    """Return the ends of the range in which the bounds hold; None if it may reach outside of the
+    values of the variable, or is empty."""
+    low, high = one.low, one.high
+    for relation, end in bounds:
+        value = _value(end)
+        if one.discrete:
+            whole = value is not None and value.denominator == 1 and value >= 0
+            index = relation == "=" and re.fullmatch(r"[kjmnrx]", end)
+            if not (whole or index):
+                return None
+            if relation == "=":
+                low = high = end
+            elif value is not None and relation in (">", ">="):
+                low = str(max(value + (relation == ">"), 0))
+            elif value is not None:
+                high = str(value - (relation == "<"))
+        elif not _is_inside(one, end, text):
+            return None
+        elif relation == "=":
+            low = high = end
+        elif relation in (">", ">="):
+            low = end
+        else:
+            high = end
+    first, last = _value(low), _value(high)
+    if first is not None and last is not None and first > last:
+        return None
+    limit = _value(one.high)
+    if one.discrete and limit is None and one.high != r"\infty" and high != one.high:
+        return None  # of n trials, with n not known
+    if one.discrete and limit is not None and last is not None and last > limit:
+        return None
+    return low, high
+
+
+def _is_inside(one: Distribution, end: str, text: str) -> bool:
+    """Whether the end of a range is a value of a continuous variable."""
+    value, low, high = _value(end), _value(one.low), _value(one.high)
+    if not end or not re.fullmatch(r"[\w\s\\{}./+*^-]+", end) or re.search("[A-Z]", end):
+        return False
+    if value is not None:
+        below = one.low == r"-\infty" or (low is not None and low <= value)
+        return below and (one.high == r"\infty" or (high is not None and value <= high))
+    if (one.low, one.high) == (r"-\infty", r"\infty"):
+        return True
+    if (one.low, one.high) != ("0", r"\infty"):
+        return False
+    letter = re.escape(end)
+    positive = rf"(?<![a-zA-Z\\]){letter}\s*(?:>|\\geq?(?:slant)?(?![a-zA-Z]))\s*0(?![.\d])"
+    turned = rf"(?<![.\d])0\s*(?:<|\\leq?(?:slant)?(?![a-zA-Z]))\s*{letter}(?![a-zA-Z\d_^])"
+    return bool(re.search(rf"{positive}|{turned}", text))
+
+
+def _value(end: str) -> Fraction | None:
+    """Return the number that an end is, None if it is none."""
+    found = _FRACTION.fullmatch(end.strip())
+    if found is None:
+        return None
+    top, below = found[2] or found[3] or found[6], found[4] or found[5] or "1"
+    try:
+        value = Fraction(top) / Fraction(below)
+    except (ValueError, ZeroDivisionError):
+        return None
+    return -value if found[1] else value
 
 
 def _mean(one: Distribution, letter: str, value: str) -> str:
