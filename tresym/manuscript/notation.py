@@ -96,6 +96,19 @@ _FROM_ONE_SIDE = re.compile(
     r"\\\\\s*\1\s*([<>])\s*\2\s*\}"
 )
 """A limit from one side, ``\\substack{x \\to 0 \\\\ x > 0}``."""
+_TWO_LINES = re.compile(
+    r"\\(sum|prod)(?![a-zA-Z])\s*(?:\\limits\s*)?_\s*\{\s*\\substack\s*\{((?:[^{}\\]|\{[^{}]*\}"
+    r"|\\(?!\\)[a-zA-Z]+|\\[ ,;:!])+)\\\\((?:[^{}\\]|\{[^{}]*\}|\\[a-zA-Z]+|\\[ ,;:!])+)\}\s*\}"
+    r"(\s*\^\s*(?:\{[^{}]*\}|\w))?"
+)
+"""A sum with two lines below it."""
+_PARITY = re.compile(
+    r"\s*([a-zA-Z])\s*(?:\\[ ,;:!]\s*)*\\(?:text|mathrm|textrm|mbox|textit)\s*\{\s*(?:is\s+)?"
+    r"(odd|even)\s*\}\s*"
+)
+_RANGE = re.compile(
+    r"[^=<>\\]*(?:<|\\leq?(?:slant)?(?![a-zA-Z]))\s*([a-zA-Z])\s*(?:<|\\leq?(?:slant)?(?![a-zA-Z])).*"
+)
 _BETWEEN_ENDS = re.compile(
     r"\\(sum|prod)(?![a-zA-Z])\s*(?:\\limits\s*)?_\s*\{\s*([^{}<>=\\]{1,20}?)\s*"
     r"(<|\\leq?(?:slant)?(?![a-zA-Z]))\s*([i-n])\s*(<|\\leq?(?:slant)?(?![a-zA-Z]))\s*"
@@ -124,6 +137,7 @@ def plain_notation(text: str) -> str:
     if "\\substack" in text:
         text = _FROM_ONE_SIDE.sub(lambda m: _from_one_side(*m.groups()), text)
         text = _ONE_LINE.sub(r" \1 ", text)
+        text = _TWO_LINES.sub(_with_both_lines, text)
     text = _BETWEEN_ENDS.sub(lambda m: _with_ends(*m.groups()), text)
     text = _without_targets(text)
     text = _ORDER_LABEL.sub(r" \1 ", text)
@@ -156,6 +170,39 @@ def plain_notation(text: str) -> str:
 
 def _from_one_side(name: str, end: str, sign: str) -> str:
     return rf"{name} \to {end}^{'+' if sign == '>' else '-'}"
+
+
+def _with_both_lines(found: re.Match[str]) -> str:
+    r"""Return a sum over two ranges as two sums, and one over the odd k with the factor
+    ``(1 - (-1)^k)/2``; products are left."""
+    sign, first, second, above = found[1], found[2], found[3], found[4] or ""
+    own = re.match(r"\s*([a-zA-Z])\s*=", first) or _RANGE.fullmatch(first)
+    if own is None or (sign != "sum" and not _RANGE.fullmatch(second)):
+        return found[0]
+    parity = _PARITY.fullmatch(second)
+    if parity is not None and parity[1] == own[1] and not _adds_on(found.string, found.end()):
+        plus = "+" if parity[2] == "even" else "-"
+        return rf"\sum_{{{first}}}{above} \frac{{1 {plus} (-1)^{{{own[1]}}}}}{{2}} \cdot "
+    other = _RANGE.fullmatch(second)
+    if other is None or other[1] == own[1] or above:
+        return found[0]
+    if re.search(rf"(?<![a-zA-Z\\]){other[1]}(?![a-zA-Z])", first):
+        first, second = second, first  # the ends of the inner sum may depend on the outer index
+        if re.search(rf"(?<![a-zA-Z\\]){own[1]}(?![a-zA-Z])", first):
+            return found[0]
+    return rf"\{sign}_{{{first}}} \{sign}_{{{second}}}"
+
+
+def _adds_on(text: str, at: int) -> bool:
+    """Whether a sum goes on with a plus or minus sign, which may still belong to the summand."""
+    depth = 0
+    for token in re.findall(r"\\[a-zA-Z]+|\\.|.", text[at:], re.DOTALL):
+        depth += (token in "([{") - (token in ")]}")
+        if depth < 0 or (depth == 0 and token in ("=", "<", ">", "&", "\\\\", "\\le", "\\ge")):
+            return False
+        if depth == 0 and token in ("+", "-", "\\pm", "\\mp"):
+            return True
+    return False
 
 
 def _with_ends(sign: str, low: str, above: str, name: str, below: str, high: str) -> str:
