@@ -149,7 +149,7 @@ def ground(
     terms = said.terms[n : n + 2]
     if (not names or _is_of_unit(compared)) and _within_print(memory, compared, terms):
         doubt(DoubtKind.ROUNDED, "the numbers may be rounded")
-    if not names and n == 0 and all(_is_number(term) for term in terms):
+    if not names and n == 0 and all(map(_is_number, terms)) and not said.worked:
         doubt(DoubtKind.CONTRADICTION, "a contradiction may be meant")
     if not names and "\\approx" in said.ops[n : n + 1] and _is_near(compared):
         doubt(DoubtKind.CLOSENESS, "the text does not say how close the numbers are")

@@ -129,6 +129,7 @@ class Link:
         same: whether the same variables stand on both sides.
         goes_on: whether it is an equality that continues a chain: the second one of ``a = b = c``.
         worked: whether it evaluates a derivative, an integral, a sum, a limit or a series.
+        multiplied: whether its sides are components of products that were written out.
         unknown: whether it contains an arbitrary function.
         around: the text before and behind its display, and the number of its scope.
         noted: the kind that a directive gives its display.
@@ -157,6 +158,7 @@ class Link:
     same: bool = False
     goes_on: bool = False
     worked: bool = False
+    multiplied: bool = False
     unknown: bool = False
     ground: Ground = field(default_factory=Ground)
     obstacle: Obstacle | None = None

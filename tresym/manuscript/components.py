@@ -44,7 +44,8 @@ def by_components(said: Said) -> list[Said]:
         return [said]
     try:
         terms = [_without_determinants(term) for term in said.terms]
-        said = replace(said, terms=tuple(terms))
+        if terms != [*said.terms]:
+            said = replace(said, terms=tuple(terms), worked=True)
         if {*said.ops} != {"="} or not any(map(_is_written_out, terms)):
             return [said]
         values = [_sum(term) if _is_written_out(term) else ((term,),) for term in terms]
@@ -54,8 +55,9 @@ def by_components(said: Said) -> list[Said]:
     if len(sizes) != 1:
         return [said]
     ((rows, columns),) = sizes
+    calculated = said.worked or any(map(_is_product_or_sum, terms))
     chains = [
-        replace(said, terms=tuple(value[i][j] for value in values))
+        replace(said, terms=tuple(value[i][j] for value in values), worked=calculated)
         for i in range(rows)
         for j in range(columns)
     ]
@@ -65,6 +67,17 @@ def by_components(said: Said) -> list[Said]:
 
 def _is_written_out(term: Sequence[str]) -> bool:
     return any(token.startswith(_BEGIN) or token == "," for token in term)
+
+
+def _is_product_or_sum(term: Sequence[str]) -> bool:
+    """Whether a term is more than one vector or matrix in brackets."""
+    if not _is_written_out(term):
+        return False
+    try:
+        parts = [*_parts(term)]
+    except _NoComponentsError:
+        return True
+    return len(parts) != 1 or term[-1].startswith(("^", "T", "}", "\\top"))
 
 
 def _without_determinants(term: Tokens) -> Tokens:

@@ -42,7 +42,7 @@ _TABLE = (
     ),
     (
         r"\b(?:measured|given|expressed|are|is|taken|work\w*|angles?|all)[\s~]+in[\s~]+degrees\b"
-        r"|\bin[\s~]+(?:units[\s~]+of[\s~]+)?degrees,?[\s~]+(?:not|rather)",
+        r"|\bin[\s~]+(?:units[\s~]+of[\s~]+)?degrees,?[\s~]+(?:not|rather)|\bdegrees?[\s~-]+mode\b",
         _WAVE,
         "the text measures angles in degrees; write \\sin 30^\\circ",
     ),
@@ -89,7 +89,8 @@ _TABLE = (
     ),
     (
         r"\b(?:boolean|commutative|quotient|polynomial|factor|unital)[\s~]+rings?\b|\brings?[\s~]+"
-        r"(?:\$[^$]*\$[\s~]+)?(?:is|are|with[\s~]+(?:unity|identity|zero))\b|\bintegral[\s~]+domain"
+        r"(?:\$[^$]*\$[\s~]+(?:is|are)\b|with[\s~]+(?:unity|identity|zero))\b"
+        r"|\$[^$]*\$[\s~]+(?:is|are|be)[\s~]+(?:an?[\s~]+)?rings?\b|\bintegral[\s~]+domain"
         r"|\b(?:group|ring)?[\s~]*homomorphisms?\b|\bdivisors?[\s~]+of[\s~]+zero\b"
         r"|\bzero[\s~-]+divisors?\b",
         _ANY,

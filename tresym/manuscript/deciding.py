@@ -502,7 +502,7 @@ def _failing(row: Row, answers: list[Answer | InputError]) -> Row:
 def _restates(link: Link, asked: Attempt) -> str:
     """Return why a proved equality shows nothing, as its sides are the same; ``""`` if it does."""
     one, _, other = asked.sides or (ZERO, "", ONE)
-    if one != other:
+    if one != other or link.multiplied:
         return ""
     if not asked.how or asked.how == SHARED:
         left, equal, right = link.shown.partition(" = ")

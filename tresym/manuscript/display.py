@@ -70,6 +70,7 @@ class Said:
         universal: whether it is stated "for all".
         row: the row of the display in which it ends, from 0.
         opens: whether it begins in the first column of its row.
+        worked: whether its terms are components that were calculated.
     """
 
     terms: tuple[tuple[str, ...], ...]
@@ -82,6 +83,7 @@ class Said:
     universal: bool = False
     row: int = 0
     opens: bool = False
+    worked: bool = False
 
     @property
     def tokens(self) -> tuple[str, ...]:

@@ -267,7 +267,7 @@ class _Reading(LinkReader):
                 for link in islice(found_links, int(bool(leads) and self.position == 0), None):
                     count += 1
                     firm = link.firm and not alone  # the condition of a later row may be meant
-                    yield replace(link, number=count, firm=firm)
+                    yield replace(link, number=count, firm=firm, multiplied=said.worked)
             for link in self.swallowed(blank, under, around):
                 count += 1
                 yield replace(link, number=count)
