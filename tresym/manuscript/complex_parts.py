@@ -3,7 +3,8 @@ r"""Equalities of complex numbers as two of real ones: of the real and of the im
 ``(2 + i)^2 = 3 + 4i`` says 3 = 3 and 4 = 4, and ``e^{it} = \cos t + i \sin t`` that both cosines
 and both sines are equal. All letters but i stand for real numbers here, as everywhere; a text that
 calls one of them complex leaves what contains it unread. That i is the imaginary unit must be seen
-in the formula itself: it is also an index, or a current.
+in the formula itself: it is also an index, or a current. ``\Re(2 + i)`` and ``\Im e^{it}`` are put
+in as the parts of their arguments.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
+from tresym.manuscript.symbols import OPENING, group_end
 from tresym.manuscript.terms import read_term, unknown_in
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.expression import (
@@ -24,6 +26,7 @@ from tresym.reals.language.expression import (
     bind,
     opened,
     sqrt,
+    substitute,
     symbol,
     symbols,
 )
@@ -31,6 +34,8 @@ from tresym.reals.language.latex_author import Author
 from tresym.reals.numbers.exact import InputError
 
 UNIT = "i"
+NUMBERED = 7101
+"""The first subscript of the new symbols for parts of arguments."""
 HIGHEST = 8
 """The highest power that is multiplied out."""
 _LINEAR = frozenset(("integral", "antiderivative", "derivative", "sum"))
@@ -50,7 +55,8 @@ def is_imaginary(tokens: Sequence[str]) -> bool:
         return False
     places = [n for n, token in enumerate(tokens) if token == UNIT]
     below = any(_is_below(tokens, n) for n in places)
-    return not below and any(_shows(tokens, n) for n in places)
+    asked = bool(places) and not {"\\Re", "\\Im"}.isdisjoint(tokens)
+    return not below and (asked or any(_shows(tokens, n) for n in places))
 
 
 def _is_below(tokens: Sequence[str], n: int) -> bool:
@@ -94,10 +100,54 @@ def _exponent_of_e(tokens: Sequence[str], n: int) -> bool:
 def parts_of(term: Sequence[str], author: Author) -> Parts | None:
     """Return the parts of a term as tokens; None if it cannot be read or taken apart."""
     try:
-        tree = read_term(term, replace(author, imaginary=True)).tree
-        return _parts(tree)
+        plain, put = _with_parts_put_in(list(term), author)
+        tree = read_term(plain, replace(author, imaginary=True)).tree
+        return _parts(substitute(tree, put) if put else tree)
     except (InputError, ZeroDivisionError):
         return None
+
+
+def _with_parts_put_in(term: list[str], author: Author) -> tuple[list[str], dict[str, Expr]]:
+    r"""Return a term with new symbols for ``\Re(...)`` and ``\Im(...)``, and what these are.
+
+    Raises:
+        InputError: an argument is not taken apart, or it is not clear where it ends.
+    """
+    put: dict[str, Expr] = {}
+    while True:
+        at = max((n for n, token in enumerate(term) if token in ("\\Re", "\\Im")), default=-1)
+        if at < 0:
+            return term, put
+        end = _end_of_argument(term, at + 1)
+        inner = term[at + 1 : end]
+        if {"z", "w"} & {*inner}:
+            raise InputError("z and w usually stand for complex numbers")
+        if inner[:1] == ["\\{"]:
+            inner = ["(", *inner[1:-1], ")"]
+        tree = read_term(inner, replace(author, imaginary=True)).tree
+        parts = _parts(substitute(tree, put) if put else tree)
+        if parts is None:
+            raise InputError("the argument of a real or imaginary part is not taken apart")
+        new = ["Q", "_", "{", str(NUMBERED + len(put)), "}"]
+        (name,) = symbols(read_term(new, author).tree)
+        put[name] = parts[term[at] == "\\Im"]
+        term = [*term[:at], "(", *new, ")", *term[end:]]
+
+
+def _end_of_argument(term: Sequence[str], at: int) -> int:
+    """Return where the argument that begins at a token ends: a bracket, or one factor alone."""
+    first = term[at] if at < len(term) else ""
+    if first in (*OPENING, "{"):
+        return group_end(term, at) + 1
+    end = at + 1
+    if first in ("\\frac", "\\dfrac", "\\tfrac"):
+        end = group_end(term, group_end(term, at + 1) + 1) + 1
+    while term[end : end + 1] in (["^"], ["_"]):
+        braced = term[end + 1 : end + 2] == ["{"]
+        end = group_end(term, end + 1) + 1 if braced else end + 2
+    if not first or (end < len(term) and term[end] not in ("+", "-", ")", "}", "]")):
+        raise InputError("it is not clear where the argument of a real part ends")
+    return end
 
 
 def _parts(e: Expr) -> Parts | None:

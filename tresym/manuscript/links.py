@@ -402,6 +402,7 @@ class _Reading(LinkReader):
         """Yield the links of a chain of complex numbers, two of each: of the real parts, and of
         the imaginary parts."""
         defined = self.memory.head(said.terms[0]) is not None
+        taken = not {"\\Re", "\\Im"}.isdisjoint(said.tokens)
         terms = said.terms[defined:]
         parts = [parts_of(term, self.memory.author) for term in terms]
         if {*said.ops} != {"="} or said.conditions or None in parts or len(parts) < 2:
@@ -422,7 +423,9 @@ class _Reading(LinkReader):
                 link, both = replace(blank, shown=shown), (Piece(one), Piece(other))
                 at, compared = n + defined, (one, "==", other)
                 link = claim(self.memory, link, at, said, compared, both, under, None, False)
-                yield replace(link, ground=replace(link.ground, alike=False))
+                link = replace(link, ground=replace(link.ground, alike=False))
+                firm = taken and link.same and not said.before and under.kind != prose.SOLVE
+                yield replace(link, worked=link.worked or taken, firm=link.firm or firm)
 
     def pieces(self, said: Said) -> list[Piece | str]:
         """Return the terms of a chain as expressions, or the reasons why they cannot be read.

@@ -115,6 +115,9 @@ _BETWEEN_ENDS = re.compile(
     r"((?:[^{}<>=\\,]|\\infty(?![a-zA-Z])){1,20}?)\s*\}(?!\s*\^)"
 )
 """A sum over ``0 \\le k < n``."""
+_PART = re.compile(
+    r"\\(?:operatorname\*?|mathrm|text|textrm|mathop\s*\{\s*\\(?:rm|mathrm))\s*\{?\s*(Re|Im)\s*\}(?:\s*\})?(?![a-zA-Z])"
+)
 _SETTING = re.compile(r"\\(?:re)?newcommand\s*(?:\{[^{}]*\}|\\?\w+|[\d.]+)\s*\{[^{}]*\}")
 _CANCELLED_TO = re.compile(r"\\cancelto(?![a-zA-Z])")
 _NUMBER = re.compile(r"\\(?:SI|qty|num)\s*(?:\[[^\[\]]*\])?\s*\{([^{}]*)\}")
@@ -133,6 +136,7 @@ def plain_notation(text: str) -> str:
     text = _WIDE.sub(r" \\quad ", text)
     text = _SPACES.sub(" ", text)
     text = _SETTING.sub(" ", text)
+    text = _PART.sub(r"\\\1 ", text)
     text = _EMPTY.sub(" ", text)
     if "\\substack" in text:
         text = _FROM_ONE_SIDE.sub(lambda m: _from_one_side(*m.groups()), text)
