@@ -5,18 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import cast
 
 from flint import arb, fmpq
-from sympy import Basic
 
 from tresym.ledger.claim import Claim, Root
-from tresym.ledger.conversion import DEFINING, Conditions, conditions, definitions, tree
-from tresym.ledger.statements import AtMostOne, ExactlyOne, TheRoot
+from tresym.ledger.conversion import DEFINING, Conditions, conditions, definitions
+from tresym.ledger.formulas import in_trees
 from tresym.reals.domain.binder_values import At, bracketed, enclosing, value, value_or_nan
 from tresym.reals.domain.evaluation import UndefinedError, stands
-from tresym.reals.language.binders import ordered
-from tresym.reals.language.expression import Expr
+from tresym.reals.language.binders import ordered, root
+from tresym.reals.language.compound import Count
+from tresym.reals.language.expression import Expr, symbol
 from tresym.reals.language.formula import names
 
 
@@ -100,7 +99,8 @@ def rules_by(claims: Iterable[Claim]) -> Rules:
     for claim in claims:
         meanings = definitions((claim,))
         if isinstance(claim.proof, Root):
-            meanings = {tree(claim.proof.symbol): one_root(claim.proof.unique)}
+            found = one_root(claim.proof.unique)
+            meanings = {} if found is None else {symbol(str(claim.proof.symbol)): found[1]}
         for left, right in meanings.items():
             if left.op == "symbol":
                 rule = Rule(right, conditions(claim.given), claim)
@@ -113,16 +113,25 @@ def roots_by(claims: Iterable[Claim]) -> dict[Expr, Rule]:
     return {ordered(node): Rule(node, given, used) for node, given, used in roots_of(claims)}
 
 
-def one_root(unique: Claim) -> Expr:
-    """Return the root whose uniqueness the claim states (`ExactlyOne` or `AtMostOne`)."""
-    return tree(TheRoot(*cast(Basic, unique.statement).args))
+def one_root(unique: Claim) -> tuple[str, Expr] | None:
+    """Return the unknown and the root of which the claim states that it is the only one, or None.
+
+    Example: that exactly one ``x in (0, 2)`` solves ``x**2 == a`` gives x and ``root(x**2 - a, x,
+    0, 2)``.
+    """
+    says = in_trees(unique.statement)
+    if not isinstance(says, Count) or says.how not in ("exactly one", "at most one"):
+        return None
+    left, sign, right = says.equation
+    if sign != "==" or says.closed != (False, False) or says.given:
+        return None
+    return says.name, root(left - right, says.name, says.low, says.high)
 
 
 def roots_of(claims: Iterable[Claim]) -> Iterator[tuple[Expr, Conditions, Claim]]:
     """Yield the roots that the claims state to be unique, with the conditions and the claim."""
     for claim in claims:
-        says = claim.statement
-        if isinstance(says, ExactlyOne | AtMostOne) and says.difference is not None:
-            bound = says.variable.name
-            given = tuple(c for c in conditions(claim.given) if bound not in names(c))
-            yield one_root(claim), given, claim
+        found = one_root(claim)
+        if found is not None:
+            name, node = found
+            yield node, tuple(c for c in conditions(claim.given) if name not in names(c)), claim

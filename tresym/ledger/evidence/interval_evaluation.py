@@ -9,22 +9,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from flint import arb, fmpq
-from sympy import Basic, Eq, Ge, Gt, Le, Lt, Rational, Symbol
 
 from tresym.ledger.claim import Claim
-from tresym.ledger.conversion import CircularError, conjuncts, formula
+from tresym.ledger.conversion import CircularError
 from tresym.ledger.evidence.box_bounds import closed, decisions_of
 from tresym.ledger.evidence.printed_numbers import Term, term_of
 from tresym.ledger.finding import Finding, Ruling
+from tresym.ledger.formulas import in_trees, is_bound, is_equation, relations_of
 from tresym.reals.balls.branch_and_bound import BY_BALL, Bound, BoxProof, Open, inner_points
 from tresym.reals.balls.branch_and_bound import Counterexample as Point
 from tresym.reals.cross_check import said
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import InputError, Interval, as_rational, fraction_text
+from tresym.reals.numbers.exact import InputError, Interval, fraction_text
 from tresym.reals.verdict import Verdict
 
 
@@ -94,8 +94,8 @@ def _failing(terms: tuple[Term, ...], precision: int) -> tuple[Term, tuple[fmpq,
 
 def _refuted(claim: Claim, term: Term, at: tuple[fmpq, ...], difference: arb) -> Finding:
     """Return REFUTED with the point and the amount by which the relation is violated."""
-    values = (c.args for c in claim.given if isinstance(c, Eq))
-    known = {x.name: as_rational(str(e)) for x, e in values if isinstance(e, Rational)}
+    values = (part for part in map(in_trees, claim.given) if is_equation(part))
+    known = {str(c.left): c.right.args[0] for c in values if _is_value(c)}
     point = {**known, **dict(zip(term.inputs, at, strict=True))}
     where = ", ".join(f"{name} = {fraction_text(x)}" for name, x in point.items())
     seen = f"violated at {where or 'the constants themselves'}"
@@ -108,8 +108,8 @@ def _differences(claim: Claim) -> list[Term]:
     terms = []
     box, rest = _box(claim.given)
     boxed = replace(claim, given=rest)
-    for part in (part for says in claim.parts for part in conjuncts(formula(says))):
-        if not isinstance(part, Relation) or part.sign in ("==", "!="):
+    for part in relations_of(in_trees(claim.statement)):
+        if part.sign in ("==", "!="):
             raise InputError(f"{part} is not an inequality with <, <=, > or >=")
         up = part.upward
         terms.append(term_of(boxed, up.left - up.right, box))
@@ -120,19 +120,25 @@ def _differences(claim: Claim) -> list[Term]:
     ]
 
 
-def _box(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], tuple[Basic, ...]]:
+def _is_value(part: Relation) -> bool:
+    """Return whether a relation compares a symbol on its left with a number."""
+    return (part.left.op, part.right.op) == ("symbol", "number")
+
+
+def _box(given: tuple[Any, ...]) -> tuple[dict[str, Interval], tuple[Any, ...]]:
     """Return the interval of each symbol (open ends are closed), and the other conditions."""
     lows: dict[str, fmpq] = {}
     highs: dict[str, fmpq] = {}
     rest = []
-    for part in given:
-        x, end = (part.gts, part.lts) if isinstance(part, Ge | Gt | Le | Lt) else (None, None)
-        if isinstance(x, Symbol) and isinstance(end, Rational) and x.name not in lows:
-            lows[x.name] = as_rational(str(end))
-        elif isinstance(end, Symbol) and isinstance(x, Rational) and end.name not in highs:
-            highs[end.name] = as_rational(str(x))
+    for condition in given:
+        part = in_trees(condition)
+        up = part.upward if is_bound(part) and part.sign != "!=" else None
+        if up is not None and _is_value(up) and str(up.left) not in lows:
+            lows[str(up.left)] = up.right.args[0]
+        elif up is not None and _is_value(up.mirrored) and str(up.right) not in highs:
+            highs[str(up.right)] = up.left.args[0]
         else:
-            rest.append(part)
+            rest.append(condition)
     if lows.keys() != highs.keys() or any(highs[x] < low for x, low in lows.items()):
         raise InputError(
             "the conditions must give each symbol a rational lower and upper bound (a box)"

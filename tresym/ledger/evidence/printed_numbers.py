@@ -15,15 +15,15 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import product
+from typing import Any
 
 from flint import arb, ctx, fmpq
-from sympy import Basic, Eq, Symbol
 
 from tresym.ledger.claim import Claim, Root
-from tresym.ledger.conversion import DEFINING, Conditions, conditions, defined, known, tree
+from tresym.ledger.conversion import DEFINING, Conditions, conditions, defined, known
 from tresym.ledger.evidence.at_point import Place, Rule, Rules, roots_by, rules_by
 from tresym.ledger.finding import Finding
-from tresym.ledger.statements import Rounds
+from tresym.ledger.formulas import Rounded, in_trees, is_equation
 from tresym.reals.balls.branch_and_bound import halves
 from tresym.reals.language import expression
 from tresym.reals.language.binders import ordered, outermost
@@ -100,10 +100,10 @@ def number_of(claim: Claim) -> Number:
         InputError: the claim states no printed number, or its claims do not define a symbol or do
             not prove that a root is unique.
     """
-    says = claim.statement
-    if not isinstance(says, Rounds):
+    says = in_trees(claim.statement)
+    if not isinstance(says, Rounded):
         raise InputError("the claim must state a printed number (Rounds)")
-    return Number(term_of(claim, tree(says.term)), says.text, says.half_units, _target(says))
+    return Number(term_of(claim, says.term), says.text, says.half_units, _target(says))
 
 
 def term_of(claim: Claim, term: Expr, box: Mapping[str, Interval] | None = None) -> Term:
@@ -126,26 +126,28 @@ def term_of(claim: Claim, term: Expr, box: Mapping[str, Interval] | None = None)
     return _grounded(Term(term, inputs, known, roots, conditions(tuple(plain))))
 
 
-def _inputs(given: tuple[Basic, ...]) -> tuple[dict[str, Interval], Rules, list[Basic]]:
+def _inputs(given: tuple[Any, ...]) -> tuple[dict[str, Interval], Rules, list[Any]]:
     """Split the conditions into printed inputs, equations for symbols, and other conditions."""
     inputs: dict[str, Interval] = {}
     rules: dict[str, tuple[Rule, ...]] = {}
-    plain: list[Basic] = []
-    for part in given:
-        name = part.args[0]
-        if not isinstance(part, Rounds | Eq):
-            plain.append(part)
+    plain: list[Any] = []
+    for condition in given:
+        part = in_trees(condition)
+        if not (isinstance(part, Rounded) or is_equation(part)):
+            plain.append(condition)
             continue
-        if not isinstance(name, Symbol) or name.name in {*inputs, *rules}:
+        left = part.term if isinstance(part, Rounded) else part.left
+        name = str(left)
+        if not isinstance(left, Expr) or left.op != "symbol" or name in {*inputs, *rules}:
             raise InputError(f"{part} must give a value to a symbol that has no other value")
-        if isinstance(part, Rounds):
-            inputs[name.name] = _target(part)
+        if isinstance(part, Rounded):
+            inputs[name] = _target(part)
         else:
-            rules[name.name] = (Rule(tree(part.args[1]), (), None),)
+            rules[name] = (Rule(part.right, (), None),)
     return inputs, rules, plain
 
 
-def _target(says: Rounds) -> Interval:
+def _target(says: Rounded) -> Interval:
     """Return the interval that a printed decimal stands for."""
     if not 1 <= says.half_units <= WIDEST:
         raise InputError(
