@@ -26,32 +26,28 @@ from functools import lru_cache
 from typing import Any, ClassVar
 
 from flint import arb, fmpq
-from sympy import Basic, S
-from sympy import Expr as Expression
 
-from tresym.ledger.claim import Claim, parts_of
+from tresym.ledger.claim import Claim
 from tresym.ledger.conversion import (
     REMEMBERED,
     Conditions,
     Rules,
     conditions,
-    conjuncts,
-    formula,
     known,
     put_in,
-    tree,
 )
 from tresym.ledger.evidence.box_bounds import Boxes, closed, decimal, decisions_of
 from tresym.ledger.evidence.chain import instantiated, unmet_condition
 from tresym.ledger.evidence.integrals import NotShownError, with_bounds
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
 from tresym.ledger.finding import Finding
+from tresym.ledger.formulas import Condition, in_trees, mapped, parts_of, relations_of
 from tresym.ledger.reasons import citing
 from tresym.reals.balls.branch_and_bound import Bound, Box, BoxProof
 from tresym.reals.balls.tracing import Named, Part, Program, traced
 from tresym.reals.decisions.identity import decide_continuous
-from tresym.reals.language.binders import elementary
-from tresym.reals.language.expression import LEAVES, ZERO, Expr, number, rebuild
+from tresym.reals.language.binders import elementary, ordered
+from tresym.reals.language.expression import LEAVES, ONE, ZERO, Expr, number, rebuild
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 from tresym.reals.numbers.exact import InputError
@@ -81,9 +77,9 @@ class Reading:
     """
 
     step: Named | Part
-    at: tuple[Expression, ...]
-    value: Expression
-    given: tuple[Basic, ...]
+    at: tuple[Expr, ...]
+    value: Expr
+    given: tuple[Condition, ...]
     claims: tuple[Claim, ...] = ()
     cited: tuple[Claim, ...] = ()
     inner: tuple[Reading, ...] = ()
@@ -105,8 +101,8 @@ class Shown:
     """
 
     margin: Callable[..., Any]
-    over: Expression = S.One
-    spare: Expression = S.Zero
+    over: Expr = ONE
+    spare: Expr = ZERO
     slopes: bool = False
     precision: int = 64
 
@@ -123,10 +119,10 @@ class On:
         cited: claims whose bounds are used for the signs of ``over`` and ``spare``.
     """
 
-    coordinates: tuple[Expression, ...]
+    coordinates: tuple[Expr, ...]
     box: Box
     shown: tuple[Shown, ...]
-    where: tuple[Basic, ...] = ()
+    where: tuple[Condition, ...] = ()
     cited: tuple[Claim, ...] = ()
 
 
@@ -197,6 +193,16 @@ def _claims(readings: tuple[Reading, ...]) -> Iterator[Claim]:
         yield from (*reading.claims, *reading.cited, *_claims(reading.inner))
 
 
+def _tree(e: Any) -> Expr:
+    """Return an expression of the evidence with its terms and factors in one order."""
+    return ordered(in_trees(e))
+
+
+def _conditions(given: tuple[Condition, ...]) -> Conditions:
+    """Return conditions in the same order of terms and factors, so that they can be compared."""
+    return tuple(mapped(condition, ordered) for condition in conditions(given))
+
+
 def judge_charted(claim: Claim, proof: Charted) -> Finding:
     """Return ENCLOSED if the margins imply the statement and are positive on their boxes."""
     try:
@@ -212,11 +218,11 @@ def judge_charted(claim: Claim, proof: Charted) -> Finding:
 
 def _gap(claim: Claim, proof: Charted) -> str | None:
     """Return why the margins do not imply the statement, or None if they do."""
-    statement = claim.statement
+    statement = in_trees(claim.statement)
     if statement is None:
         return "the claim states no formula"
-    given = with_bounds(conditions(claim.given), (citing(*proof.cited),))
-    stated = known(conditions(claim.given))
+    given = with_bounds(_conditions(claim.given), (citing(*proof.cited),))
+    stated = known(_conditions(claim.given))
     if not (is_regular(stated) and has_inside(stated)):
         return "could not show that the region is the closure of its interior"
     rules, meant = instantiated(proof.put, given)
@@ -226,7 +232,7 @@ def _gap(claim: Claim, proof: Charted) -> str | None:
     if not _covered(given, proof.on):
         return "could not show that the charts cover the region"
     for on in proof.on:
-        where = conditions(on.where)
+        where = _conditions(on.where)
         here = with_bounds((*meant, *where), (citing(*on.cited),))
         place = _Place(on, proof.readings, rules, (*given, *where), here)
         why = place.outside() or next(filter(None, map(place.gap, sides)), None)
@@ -235,29 +241,28 @@ def _gap(claim: Claim, proof: Charted) -> str | None:
     return None
 
 
-def _sides(statement: Basic, rules: Rules, given: Conditions) -> Iterator[Expr]:
+def _sides(statement: Any, rules: Rules, given: Conditions) -> Iterator[Expr]:
     """Yield the differences that must be positive (or non-negative); two for |a| ≤ b.
 
     Raises:
         NotShownError: the statement is not a bound, or could not be shown to be defined.
     """
-    for part in parts_of(statement):
-        for relation in conjuncts(formula(part)):
-            if not isinstance(relation, Relation) or relation.sign in ("==", "!="):
-                raise NotShownError(f"{part} is not an inequality with <, <=, > or >=")
-            up = relation.upward
-            high, low = put_in(up.left, rules), put_in(up.right, rules)
-            for side in (high, low):
-                gap = undefined(side, given)
-                if gap is not None:
-                    raise NotShownError(
-                        f"could not show that {gap} lies in the domain of its operation"
-                    )
-            if low.op == "abs":
-                yield high - low.args[0]
-                yield high + low.args[0]
-            else:
-                yield high - low
+    for relation in relations_of(statement):
+        if relation.sign in ("==", "!="):
+            raise NotShownError(f"{relation} is not an inequality with <, <=, > or >=")
+        up = relation.upward
+        high, low = put_in(up.left, rules), put_in(up.right, rules)
+        for side in (high, low):
+            gap = undefined(side, given)
+            if gap is not None:
+                raise NotShownError(
+                    f"could not show that {gap} lies in the domain of its operation"
+                )
+        if low.op == "abs":
+            yield high - low.args[0]
+            yield high + low.args[0]
+        else:
+            yield high - low
 
 
 def _covered(given: Conditions, charts: tuple[On, ...]) -> bool:
@@ -269,7 +274,7 @@ def _covered(given: Conditions, charts: tuple[On, ...]) -> bool:
     if not charts:
         return any(is_manifest(condition.negated, given) for condition in given)
     first, *others = charts
-    for condition in conditions(first.where):
+    for condition in _conditions(first.where):
         if condition not in given:
             left = (*given, condition.negated)
             if not (_covered(left, tuple(others)) or is_manifest(condition, given)):
@@ -292,8 +297,8 @@ class _Place:
         """Store the conditions; ``given`` also contains them with the rules substituted."""
         self.on, self.readings, self.rules = on, readings, rules
         self.given = given
-        self.coordinates = tuple(map(tree, on.coordinates))
-        where = conditions(on.where)
+        self.coordinates = tuple(map(_tree, on.coordinates))
+        where = _conditions(on.where)
         general = tuple(c for c in region if c not in where)
         self.places = (region, *((*general, c) for c in where))
 
@@ -325,7 +330,7 @@ class _Place:
     def _gap(self, side: Expr, shown: Shown) -> str | None:
         """Return why this margin does not show the side, or None if it does."""
         program = traced(shown.margin, len(self.coordinates))
-        over, spare = (put_in(tree(e), self.rules) for e in (shown.over, shown.spare))
+        over, spare = (put_in(_tree(e), self.rules) for e in (shown.over, shown.spare))
         if not is_manifest(Relation(over, ">", ZERO), self.given):
             return f"could not show that the factor {over} is positive"
         if not is_manifest(Relation(spare, ">=", ZERO), self.given):
@@ -364,10 +369,10 @@ def _meaning(
     """
     for reading in readings:
         if reading.step is op and all(
-            _same(x, tree(y), given) for x, y in zip(args, reading.at, strict=True)
+            _same(x, _tree(y), given) for x, y in zip(args, reading.at, strict=True)
         ):
             _need(reading, given)
-            return tree(reading.value)
+            return _tree(reading.value)
     if body is not None:
         return body()
     if op.meaning is None:
@@ -391,7 +396,7 @@ def _need(reading: Reading, given: Conditions) -> None:
     Raises:
         NotShownError: one of both could not be shown.
     """
-    for condition in conditions(reading.given):
+    for condition in _conditions(reading.given):
         if condition not in given and not is_manifest(condition, given):
             raise NotShownError(f"a reading needs {condition}, which could not be shown")
     why = _unread(reading)
@@ -402,9 +407,9 @@ def _need(reading: Reading, given: Conditions) -> None:
 @lru_cache(maxsize=REMEMBERED)
 def _unread(reading: Reading) -> str | None:
     """Return why a reading could not be shown to be correct, or None if it is."""
-    stated = conditions(reading.given)
+    stated = _conditions(reading.given)
     given = with_bounds(stated, (citing(*reading.cited),))
-    at, value = tuple(map(tree, reading.at)), tree(reading.value)
+    at, value = tuple(map(_tree, reading.at)), _tree(reading.value)
     if isinstance(reading.step, Part):
         rules, meant = instantiated(reading.claims, given)
         program = traced(reading.step.formula, len(at))
@@ -429,7 +434,7 @@ def _unread(reading: Reading) -> str | None:
         if not is_manifest(Relation(required, ">=", ZERO), given):
             return f"could not show that {required} is not negative"
     for claim in reading.claims:
-        for part in conjuncts(formula(claim.decided)) if claim.in_formulas else ():
+        for part in parts_of(in_trees(claim.decided)) if claim.in_formulas else ():
             if (
                 isinstance(part, Relation)
                 and part.sign == "=="
