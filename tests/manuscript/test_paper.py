@@ -91,13 +91,13 @@ HOSTILE = {
     + r"\newcommand{\ma}{x}\[ \my = 1 \]",
     "braces": r"\[" + "{" * 100_000 + "}" * 100_000 + r"= 1\]",
     "deep": r"\[" + "{" * 5_000 + "}" * 5_000 + r"= 1\]",
-    "itself": r"\input{m} \[ a = b \]",
+    "itself": r"\input{m} \[ a = {b \]",
     "an environment": r"\[ \begin{cases} x = 1 \]",
     "a definition": r"\newcommand{\a}{x" * 100,
     "words": "Let $n$" + " , $m$" * 3000 + r" and \[ a = {",
     "no display": "Nothing here.",
     "a note": "% tresym: prove it\n\\[ a = a \\]",
-    "cut off": r"\begin{document} \[ a = a \]",
+    "cut off": r"\begin{document} \[ a = {a \]",
 }
 
 
@@ -110,6 +110,47 @@ def test_hostile_latex_is_refused_in_one_line(
     assert written.out == ""
     assert len(written.err.splitlines()) == 1
     assert len(written.err) < 400
+
+
+@pytest.mark.parametrize(
+    "broken",
+    [
+        r"a \end{equation}",
+        r"\newcommand{\a}{x",
+        r"\[" + "{" * 5000 + "}" * 5000 + r"= 1\]",
+        r"\input{m}",
+        "\x01\x02 \x011\x02",
+        r"\newcommand{\a}{\a\a} \[ \a = b \]",
+        r"\begin{document}",
+    ],
+)
+def test_what_is_broken_leaves_the_other_displays(
+    broken: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "m.tex").write_text(rf"{broken} \[ 1 + 1 = 2 \]")
+    assert main(["paper", str(tmp_path / "m.tex"), "--json", "--no-suggest"]) == 0
+    statuses = [json.loads(line)["status"] for line in capsys.readouterr().out.splitlines()]
+    assert statuses[-1] == "PROVED"
+
+
+def test_the_markdown_of_a_notebook_is_read_at_its_lines(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    page = "# A\n\n$$\n1 + 1 = 3\n$$"
+    cells = [
+        {"cell_type": "code", "source": ["print('$$')\n"]},
+        {"cell_type": "markdown", "source": page.splitlines(keepends=True)},
+    ]
+    path = tmp_path / "m.ipynb"
+    for indent in (1, None):
+        path.write_text(json.dumps({"cells": cells, "nbformat": 4}, indent=indent))
+        main(["paper", str(path), "--json", "--no-suggest"])
+        (row,) = map(json.loads, capsys.readouterr().out.splitlines())
+        assert row["status"] in ("REFUTED", "SUSPECT")
+        written = path.read_text().splitlines()
+        assert not indent or written[row["line"]].strip().startswith('"1 + 1 = 3')
+    path.write_text(path.read_text()[:60])
+    assert main(["paper", str(path)]) == 2
 
 
 @pytest.mark.parametrize("asked", [[], ["-f"]])

@@ -177,10 +177,12 @@ def _rows(args: argparse.Namespace, paper: Path, settings: Settings, limit: floa
     if args.notes is not None:
         events = with_notes(events, Path(args.notes))
     for outside, why in ((False, "not found"), (True, "outside the project, see --root")):
-        lacking = (e for e in events if isinstance(e, Missing) and not e.guessed)
+        lacking = (e for e in events if isinstance(e, Missing) and not (e.guessed or e.why))
         found = (e.name for e in lacking if e.outside == outside)
         if names := [name[:100] for name in found]:
             print(f"{why}; left out: {', '.join(names[:5])}", file=sys.stderr)
+    for event in [one for one in events if isinstance(one, Missing) and one.why][:5]:
+        print(f"{event.name[:100]}: {event.why[:200]}", file=sys.stderr)
     for event in events:
         if isinstance(event, Missing) and event.guessed:
             print(

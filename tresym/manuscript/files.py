@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 from tresym.ledger.latex_source import read_any_text, read_text
 from tresym.manuscript.macros import DEFINITIONS, definition
-from tresym.manuscript.markdown import as_latex, is_markdown
+from tresym.manuscript.markdown import as_latex, is_markdown, markdown_cells
 from tresym.reals.numbers.exact import InputError
 
 MAX_CHARACTERS = 20_000_000
@@ -125,10 +125,14 @@ class Files:
         here = _resolved(path, self.path)
         shown = "" if not around else os.path.relpath(here, self.folder)
         if here in around:
-            raise InputError(f"{self.path}: {shown or path} includes itself")
+            self.missing.append(f"{shown or path} in itself")
+            return
         unsaved = None if around or preamble else self._unsaved
         text = self._read(path) if unsaved is None else unsaved
-        text = self._visible(as_latex(text) if is_markdown(path.suffix) else text, shown)
+        if path.suffix == ".ipynb":
+            text = markdown_cells(text, str(path))
+        page = is_markdown(path.suffix) or path.suffix == ".ipynb"
+        text = self._visible(as_latex(text) if page else text, shown)
         self.size += len(text)
         if self.size > MAX_CHARACTERS or len(self.parts) > MAX_FILES:
             raise InputError(f"{self.path}: it is too large with the files that it includes")
@@ -242,10 +246,7 @@ class Files:
 
         Line breaks stay, so that line numbers remain correct.
         """
-        if "\x01" in text or "\x02" in text:
-            raise InputError(
-                f"{file or self.path}: it contains control characters, so it is not LaTeX text"
-            )
+        text = text.replace("\x01", " ").replace("\x02", " ")
         lines = _Lines(text)
 
         def replaced(found: re.Match[str]) -> str:
@@ -268,8 +269,8 @@ class Files:
             for command in DEFINITIONS.finditer(text):
                 try:
                     made, _ = definition(text, command)
-                except InputError as error:
-                    raise InputError(f"{self.path}: {command[0]}: {error}") from None
+                except InputError:
+                    continue  # the scanner tells of it
                 for name, macro in made.items():
                     body = " ".join((macro.body or "").split())
                     itself = re.search(rf"{re.escape(name)}(?![a-zA-Z])", body)

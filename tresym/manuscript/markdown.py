@@ -4,13 +4,19 @@ r"""A Markdown page as LaTeX, line by line, so that the places of formulas stay 
 in LaTeX; ``**Example 2.**`` becomes a bold heading. Code is left out, but a block that is marked as
 ``math`` is a display. A percent sign is no comment,
 except of ``% tresym: ...`` and ``<!-- tresym: ... -->``, which are directives. In a table ``\|``
-is a bar.
+is a bar. Of a Jupyter notebook the Markdown cells are read, at the lines of its file where it has a
+line for each line of a cell.
 """
 
 from __future__ import annotations
 
+import json
 import re
 
+from tresym.reals.numbers.exact import InputError
+
+MAX_BETWEEN = 5000
+"""Lines of a notebook's file between two of its Markdown cells, to keep the places."""
 SUFFIXES = frozenset((".md", ".markdown", ".mdx", ".rmd", ".qmd"))
 _FENCE = re.compile(r"\s*(?:>\s*)*(```+|~~~+)")
 _MATH = re.compile(r"\s*(?:>\s*)*(```+|~~~+|:::+)\s*(?:math|\{math\})\s*(\S*)\s*$")
@@ -74,3 +80,33 @@ def _line(line: str) -> str:
         line = line.replace("\\|", "|")
     line = _BOLD.sub(r"\1\\textbf{\2}", line, count=1)
     return _PERCENT.sub(r"\\%", line)
+
+
+def markdown_cells(text: str, name: str) -> str:
+    """Return the text of the Markdown cells of a notebook, each with an empty line behind it.
+
+    Raises:
+        InputError: it is no notebook, or cut off.
+    """
+    try:
+        cells = json.loads(text)["cells"]
+        pages = ["".join(one["source"]) for one in cells if one["cell_type"] == "markdown"]
+    except (ValueError, KeyError, TypeError, RecursionError):
+        raise InputError(f"{name}: is no notebook of Jupyter, or a damaged one") from None
+    rows = text.split("\n")
+    result: list[str] = []
+    at = 0
+    for page in pages:
+        for line in page.split("\n"):
+            starts = (
+                f'"{json.dumps(line)[1:-1]}',
+                f'"{json.dumps(line, ensure_ascii=False)[1:-1]}',
+            )
+            near = range(at, min(at + MAX_BETWEEN, len(rows))) if line else ()
+            place = next((n for n in near if rows[n].lstrip().startswith(starts)), -1)
+            if place >= len(result):
+                result += [""] * (place - len(result))
+                at = place + 1
+            result.append(line)
+        result.append("")
+    return "\n".join(result)

@@ -170,12 +170,14 @@ class NoDisplayError(InputError):
 class Missing(NamedTuple):
     """An included file that does not exist, or is outside the project.
 
-    With ``guessed`` a file that was read as Latin-1, as it is not UTF-8 and declares nothing.
+    With ``guessed`` a file that was read as Latin-1, as it is not UTF-8 and declares nothing. With
+    ``why`` a place at which the source is broken; the rest is read.
     """
 
     name: str
     outside: bool = False
     guessed: bool = False
+    why: str = ""
 
 
 Event: TypeAlias = Note | Section | Scope | Prose | Display | Missing
@@ -190,16 +192,15 @@ def read_manuscript(path: Path, root: Path | None = None, text: str | None = Non
         text: the contents of the main file, if an editor has not saved it yet.
 
     Raises:
-        InputError: it cannot be read, something in it is not closed, it includes itself, or it
-            has no display.
+        InputError: it cannot be read, or all its displays are broken, or it has none.
     """
-    if path.suffix == ".ipynb":
-        raise InputError(f"{path}: is a notebook; export it to Markdown or LaTeX first")
     source = Files(path, root, text)
     lacking = [Missing(name) for name in source.missing]
     lacking += [Missing(name, outside=True) for name in source.outside]
     lacking += [Missing(name, guessed=True) for name in source.guessed]
-    events = [*lacking, *_Scanner(source).events()]
+    scanner = _Scanner(source)
+    read = [*scanner.events()]
+    events = [*lacking, *scanner.faults, *read]
     if not any(isinstance(event, Display) for event in events):
         why = "no display in it; write formulas in equation, align or \\[ \\]"
         raise NoDisplayError(f"{path}: {why}")
@@ -215,6 +216,7 @@ class _Scanner:
         self.titles = {m[1]: m[2] for m in _NEWTHEOREM.finditer(self.text)}
         self.count = 0
         self.broken: list[tuple[int, str]] = []
+        self.faults: list[Missing] = []
 
     def events(self) -> Iterator[Event]:
         """Yield directives, headings, scopes, prose and displays, in order."""
@@ -225,7 +227,7 @@ class _Scanner:
         at = at + len("\\begin{document}") if whole else 0
         stop = self.text.find("\\end{document}", at)
         if whole and stop < 0:
-            self.fail(at, "\\end{document} is missing; the file is cut off")
+            self.fault(at, "\\end{document} is missing; the file may be cut off")
         stop = stop if stop >= 0 else len(self.text)
         prose = at
         while (mark := _MARKS.search(self.text, at, stop)) is not None:
@@ -257,7 +259,7 @@ class _Scanner:
                 prose = mark.start("spoken") if mark["spoken"] else at
                 yield scope
             elif mark["end"] in DISPLAYS:
-                self.fail(mark.start(), f"\\end{{{mark['end']}}} closes nothing")
+                self.fault(mark.start(), f"\\end{{{mark['end']}}} closes nothing")
         yield self.prose(prose, stop)
         if self.broken and len(self.broken) == self.count:
             self.fail(*self.broken[0])
@@ -294,7 +296,8 @@ class _Scanner:
         try:
             made, end = definition(self.text, command)
         except InputError as error:
-            self.fail(command.start(), str(error))
+            self.fault(command.start(), f"{command[0]}: {error}; the definition is left out")
+            return command.end()
         self.macros |= {name: macro for name, macro in made.items() if name not in _BRACKETS}
         return end
 
@@ -363,9 +366,9 @@ class _Scanner:
             depth += (mark[0] == "{") - (mark[0] == "}")
             if not 0 <= depth <= MAX_BRACES:
                 break
-        if depth > MAX_BRACES:
-            self.fail(start, f"braces are nested deeper than {MAX_BRACES} levels in the display")
         problem = f"the display is longer than {MAX_DISPLAY} characters" if long else ""
+        if depth > MAX_BRACES:
+            problem = f"braces are nested deeper than {MAX_BRACES} levels in the display"
         problem = lost or problem or ("the braces of the display do not match" if depth else "")
         problem = problem or unbalanced(text)
         if problem:
@@ -389,6 +392,11 @@ class _Scanner:
             self.fail(start, f"there are more than {MAX_DISPLAYS} displays")
         file, line = self.source.place(start)
         return Display(self.count, kind, labels, file, line, text, problem, notes), after
+
+    def fault(self, at: int, why: str) -> None:
+        """Note a place at which the source is broken."""
+        file, line = self.source.place(at)
+        self.faults.append(Missing(f"{file or self.source.path.name}, line {line}", why=why))
 
     def fail(self, at: int, why: str) -> NoReturn:
         file, line = self.source.place(at)
