@@ -25,6 +25,7 @@ from tresym.checking.time_limited import Task, check_within
 from tresym.manuscript import prose
 from tresym.manuscript.accusations import DoubtKind
 from tresym.manuscript.deciding import PASSES, Row, under_also
+from tresym.manuscript.mentions import dependent
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.expression import ZERO, Expr, add, apply, bind, opened, rebuild, symbols
@@ -172,9 +173,29 @@ def _one_edit(case: Case) -> bool:
             continue
         if any(old == str(side) and not symbols(side) for side in case.sides[::2]):
             continue  # the value of the other side: there always is one
+        if any(found.claim.endswith(f"== {kept}") for kept in _beside_replaced(case)):
+            continue  # it changes what is not printed there
         if case.names or not _DIGITS.fullmatch(f"{new}{old}"):
             return True
     return False
+
+
+def _beside_replaced(case: Case) -> list[str]:
+    """Return the right side if the left one is the derivative of a letter that was replaced by its
+    definition: in du = 2x dx behind u = x^3 another u may be meant, so the 2x has to be wrong."""
+    right = case.sides[2]
+    return [f"{right}{given}" for given in ("", _given(case.row))] if _replaced(case) else []
+
+
+def _replaced(case: Case) -> set[str]:
+    """Return the letters whose derivatives the left side prints and which were replaced."""
+    shown = case.row.link.shown.partition("=")[0]
+    return set(dependent(shown)) - symbols(case.sides[0])
+
+
+def _given(row: Row) -> str:
+    given = row.refuted.partition(" given ")[2]
+    return f" given {given}" if given else ""
 
 
 def _is_small(old: str, new: str) -> bool:
@@ -302,6 +323,21 @@ def _is_substituted(case: Case) -> bool:
     return bool(case.row.put)
 
 
+def _is_of_other_letter(case: Case) -> bool:
+    """Whether du = 2x dx may speak of another u: unless its display defines u once, before it."""
+    text, number = case.row.link.display.text, case.row.link.number
+    for name in _replaced(case):
+        printed = re.findall(rf"(?<![a-zA-Z\\{{])d\s*\\?{re.escape(name)}\s*&?\s*=", text)
+        lefts = [
+            str(one.link.sides[0])
+            for one in case.others
+            if one.link.sides and one.link.number < number
+        ]
+        if printed and (len(printed) > 1 or lefts.count(name) != 1):
+            return True
+    return False
+
+
 def _is_far(case: Case) -> bool:
     return "earlier sections" in case.row.why
 
@@ -341,6 +377,7 @@ DOUBTS = (
     Evidence("its line may continue the one before a remark", -4, _is_behind_remark),
     Evidence("the dots in it may stand for something else", -1, _is_dotted),
     Evidence("a definition is substituted, which may not hold there", -1, _is_substituted),
+    Evidence("the letter in its differential may be another one", -2, _is_of_other_letter),
     Evidence("a condition from another section is used", -1, _is_far),
     Evidence("each side has letters of its own, as an equation has", -2, _is_one_sided),
     Evidence("one side has no letters, as in an equation to be solved", -2, _is_of_value),
