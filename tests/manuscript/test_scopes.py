@@ -64,6 +64,13 @@ def test_a_condition_at_a_point_or_a_hypothesis_defines_nothing(text: str, tmp_p
     assert read(tmp_path, text)[-1].status not in ("PROVED", "REFUTED")
 
 
+def test_the_solution_of_an_exercise_has_its_definitions(tmp_path: Path) -> None:
+    text = (
+        r"\section{Exercise 1} Let $h(t) = e^{2t}$. \subsection{Solution} Then \[ h'(t) = 2 h(t) \]"
+    )
+    assert read(tmp_path, text)[-1].status == "PROVED"
+
+
 @pytest.mark.parametrize(
     "text",
     [

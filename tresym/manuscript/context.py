@@ -232,9 +232,9 @@ class Memory(ConditionReader):
         self.functions.pop(name, None)
         self.restrict({name}, "it has a definition that was not understood")
 
-    def section(self, chapter: bool) -> None:
+    def section(self, chapter: bool, inner: bool = False, example: bool = False) -> None:
         """Begin a section, which ends the conditions and scopes before it."""
-        self.scopes.section(chapter)
+        self.scopes.section(chapter, inner, example)
         self.noted = []
         self.paths, self.spoken = {}, {}
 

@@ -90,6 +90,11 @@ _IMPLICIT = re.compile(
     re.IGNORECASE,
 )
 """Words behind which an equation determines its symbols, whatever they stood for before."""
+_ALONE = re.compile(
+    r"\W*(?:[\d.]+\W*)?(?:worked\s+)?(?:examples?|exercises?|problems?|questions?|tasks?)\b(?!\s+of\b)",
+    re.IGNORECASE,
+)
+"""Titles of sections whose definitions end with them."""
 _PLUS_FIRST = re.compile(r"(?:\s|&|\\[ ,;:>!]|~|\\q?quad|\\begin\{\w+\*?\})*\+(?!\s*\\infty)")
 BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
 FIRST = "compared with the first side of the chain, which is equal"
@@ -107,7 +112,8 @@ class _Reading(LinkReader):
             if isinstance(event, Note):
                 self.note(event)
             elif isinstance(event, Section):
-                self.memory.section(event.chapter)
+                example = bool(_ALONE.match(event.title))
+                self.memory.section(event.chapter, event.inner, example)
                 self.conventions.close(event.chapter, event.inner)
                 self.conventions.hear(event.title, event.chapter)
                 self.stated.clear()

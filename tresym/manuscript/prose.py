@@ -109,6 +109,14 @@ _INTRODUCED = re.compile(
     r"|sequences?|series))?[\s~]*\Z",
     re.IGNORECASE,
 )
+_RENAMED = re.compile(
+    r"[\s~,]*(?:now[\s~]+|here[\s~]+)?(?:is|denotes|means|stands[\s~]+for)[\s~]+(?:now[\s~]+|here[\s~]+)?the[\s~]+"
+    r"(?!(?:same|only|unique|required|desired|function[\s~]+(?:above|defined|given|from|in|of)|solution"
+    r"|sum|product|inverse|derivative|integral|above|general|following|most|least|smallest|largest"
+    r"|case|one)\b)"
+)
+"""Words behind a symbol that say what it is, "is the tangent", whatever it was before."""
+_WRITTEN = re.compile(r"\b(?:write|use|using|writing)[\s~]*\Z", re.IGNORECASE)
 _NEITHER = re.compile(r"\b(?:neither|nor|not|no)[\s~]*\Z", re.IGNORECASE)
 _SYMBOL = r"(?:\\[a-zA-Z]+|[a-zA-Z])(?:_\w)?"
 _SYMBOL_FIRST = re.compile(rf"\s*({_SYMBOL})\s*")
@@ -333,9 +341,15 @@ def inline(text: str) -> Iterator[Inline]:
                 conditional=conditional,
                 piece=bool(_PIECE.match(rest[:120])),
                 last=number == len(sentences) - 1,
-                introduced=alone and bool(_INTRODUCED.search(words)),
+                introduced=alone and bool(_INTRODUCED.search(words) or _is_renamed(words, rest)),
             )
             start, carried = found.end(), marks
+
+
+def _is_renamed(before: str, after: str) -> bool:
+    """Whether words say what a symbol is: "Here $h$ is the tangent", "write $h$ for the sine"."""
+    written = _WRITTEN.search(before) and re.match(r"[\s~]*for[\s~]+the\b", after)
+    return bool(written or _RENAMED.match(after[:120]))
 
 
 def _signed(tex: str, before: str, after: str) -> str:

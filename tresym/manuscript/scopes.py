@@ -106,6 +106,7 @@ class Scopes:
         self._entered: list[int] = []
         self._section = 0
         self._statement = Reach()
+        self._shared: dict[str, Function] | None = None
 
     @property
     def before(self) -> Reach:
@@ -136,10 +137,19 @@ class Scopes:
         if scope.opens:
             self._enter(scope)
 
-    def section(self, chapter: bool) -> None:
-        """Begin a section: all scopes, conditions and restrictions end."""
+    def section(self, chapter: bool, inner: bool = False, example: bool = False) -> None:
+        """Begin a section: all scopes, conditions and restrictions end.
+
+        Args:
+            inner: whether it is a subsection, such as the solution of an exercise.
+            example: whether it is an exercise or an example, whose definitions end with it.
+        """
         self._close_to(0)
         now = self.now
+        if chapter or example or not inner:
+            if self._shared is not None:
+                now.functions = self._shared
+            self._shared = {**now.functions} if example and not chapter else None
         for name in now.ambiguous:
             now.functions.pop(name, None)
         if chapter:
