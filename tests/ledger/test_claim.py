@@ -19,15 +19,14 @@ from tresym.ledger.claim import (
     display,
     equal,
     equations,
-    formally,
     label_claims,
     line,
     parts_of,
     step,
-    together,
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.box_bounds import Boxes
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import Premise
 from tresym.ledger.judge import judge
@@ -46,10 +45,10 @@ RESTS = [
     (by(algebra), []),
     (by(substituting(A, B), citing(A)), [A, B]),
     ((step(x, substituting(B)), step(y, citing(A))), [B, A]),
-    (together(by(substituting(A)), by(citing(B))), [A, B]),
+    (Decided(steps=(by(substituting(A)), by(citing(B)))), [A, B]),
     (ImplicitFunction(A, x, y, Integer(0), by(citing(C))), [A, C]),
     (all_of(A, B), [A, B]),
-    (formally(A), [A]),
+    (Decided((A,)), [A]),
     (Definition(), []),
 ]
 
@@ -61,14 +60,14 @@ def test_every_kind_of_evidence_names_what_it_uses(proof: object, uses: list[Cla
 
 KINDS = [
     (equal(x, y), by(), "identity", Verdict.PROVED),
-    (Tuple(x < y, equal(x, y)), together(by(), by()), "identity", Verdict.PROVED),
-    (Tuple(x < y, y >= x), together(by(), by()), "bound", Verdict.PROVED),
+    (Tuple(x < y, equal(x, y)), by(), "identity", Verdict.PROVED),
+    (Tuple(x < y, y >= x), by(), "bound", Verdict.PROVED),
     (x > y, by(), "bound", Verdict.PROVED),
     (Ne(x, y), by(), "identity", Verdict.PROVED),
     ("x is y", all_of(A, B), "statement", Premise.DEFINED),
     ("x is y", all_of(A, named("E", by())), "statement", Verdict.PROVED),
     ("x is y", all_of(), "statement", Verdict.PROVED),
-    ("x is y", formally(), "statement", Verdict.PROVED),
+    ("x is y", Decided(), "statement", Verdict.ENCLOSED),
     ("x is 1", Printed(), "number", Verdict.ENCLOSED),
     ("x is 1", Boxes((), (), ""), "bound", Verdict.ENCLOSED),
     (x > y, Boxes((), (), ""), "bound", Verdict.ENCLOSED),

@@ -34,7 +34,6 @@ from tresym.ledger.claim import (
     all_of,
     by,
     equal,
-    formally,
     parts_of,
     step,
 )
@@ -93,7 +92,7 @@ def test_a_claim_is_its_value_and_not_its_label() -> None:
     assert twin != right
     assert replace(right) == right
     found = {row.claim.label: row.finding for row in verify(["eq_gamma"]).rows}
-    for proof in (by(substituting(twin)), formally(twin), all_of(twin)):
+    for proof in (by(substituting(twin)), Decided((twin,)), all_of(twin)):
         says = "x = 7" if proof == all_of(twin) else equal(x, 7)
         assert not judge(Claim("user", says, proof), found).verdict.holds
 
@@ -155,7 +154,7 @@ def test_symbols_are_defined_once(claims: tuple[Claim, ...], ledger: Callable[..
     steps = (step(left, substituting(claims[0])), step(sides[1], substituting(claims[1])))
     for user in (
         Claim("user", says, steps, given=claims[1].given),
-        Claim("user", says, formally(*claims), given=claims[1].given),
+        Claim("user", says, Decided(claims), given=claims[1].given),
         Claim("user", "…", all_of(*claims)),
     ):
         assert not judged(user).holds or claims == TWICE["implicit"]

@@ -48,10 +48,8 @@ from tresym.ledger.claim import (
     at,
     by,
     equal,
-    formally,
     manifest,
     step,
-    together,
 )
 from tresym.ledger.evidence import allowed_evidence, integrals, remainders
 from tresym.ledger.evidence.allowed_evidence import Meant
@@ -406,7 +404,7 @@ FALSE: dict[str, Claim] = {
         equal(sin(x), O(x**5)), equal(x + x, 2 * x), by(algebra)
     ),
     "order-beside-a-formal-identity": order_claim(
-        equal(sin(x), o(x**5)), equal(x + x, 2 * x), formally()
+        equal(sin(x), o(x**5)), equal(x + x, 2 * x), Decided()
     ),
     "order-beside-a-true-bound": order_claim(
         equal(sin(x), O(x**5)), Gt(x**2 + 1, 0, evaluate=False), manifest
@@ -496,7 +494,9 @@ FALSE: dict[str, Claim] = {
         by(algebra),
     ),
     "chain-of-a-system": says("f", Tuple(equal(x, x), equal(x, 2 * x)), by(algebra)),
-    "chains-for-fewer-parts": says("f", Tuple(equal(x, x), FALSEHOOD), together(by(algebra))),
+    "chains-for-fewer-parts": says(
+        "f", Tuple(equal(x, x), FALSEHOOD), Decided(steps=(by(algebra),))
+    ),
     "chain-to-an-equivalence": says(
         "f", Equivalent(equal(x**2, 1), equal(x, 1)), (step(equal(x, 1), algebra),)
     ),
@@ -656,14 +656,14 @@ FALSE: dict[str, Claim] = {
     ),
     "chart-without-a-chart": says("f", x**2 <= x, Charted(()), x > 0, x <= 1),
     # relations decided as they stand
-    "formally-of-a-false-claim": says(
-        "f", equal(x, x + 1), formally(says("g", equal(x, x + 1), by(algebra)))
+    "decided-of-a-false-claim": says(
+        "f", equal(x, x + 1), Decided((says("g", equal(x, x + 1), by(algebra)),))
     ),
-    "formally-nothing": Claim("f", "Everything.", formally()),
-    "formally-a-conjunction-under-conditions": says("f", Under(x > 0, Tuple(x > 1)), formally()),
-    "formally-there-is-none": says("f", ForSome(x**2 < 0), formally()),
-    "formally-unequal": says("f", Ne(x, 2), formally(), x > 0),
-    "formally-touching": says("f", x**2 > 0, formally()),
+    "decided-nothing": Claim("f", "Everything.", Decided()),
+    "decided-a-conjunction-under-conditions": says("f", Under(x > 1, Tuple(x > 0)), Decided()),
+    "decided-there-is-none": says("f", ForSome(x**2 < 0), Decided()),
+    "decided-unequal": says("f", Ne(x, 2), Decided(), x > 0),
+    "decided-touching": says("f", x**2 > 0, Decided()),
     # symbols of one name, and what SymPy assumes of a symbol
     "an-integer-that-is-no-condition": says(
         "f", equal(sin(pi * whole) + whole, whole), by(algebra)
@@ -676,9 +676,9 @@ FALSE: dict[str, Claim] = {
 }
 
 UNFOUNDED: dict[str, Claim] = {
-    "a-point-that-is-no-integer": says("f", whole**2 >= whole, formally()),
-    "a-condition-that-is-none": Claim("f", FALSEHOOD, formally(), given=(Or(x > 0, y > 0),)),
-    "a-condition-in-words": Claim("f", FALSEHOOD, formally(), given=("x > 0",)),
+    "a-point-that-is-no-integer": says("f", whole**2 >= whole, Decided()),
+    "a-condition-that-is-none": Claim("f", FALSEHOOD, Decided(), given=(Or(x > 0, y > 0),)),
+    "a-condition-in-words": Claim("f", FALSEHOOD, Decided(), given=("x > 0",)),
     "a-point-outside-the-conditions": says("f", x > 0, Counterexample({"x": fmpq(-1)}), x > 0),
     "a-point-that-satisfies-it": says("f", x**2 >= 0, Counterexample({"x": fmpq(2)})),
     "a-point-without-a-value": says("f", equal(x / x, 1), Counterexample({"x": fmpq(0)})),
@@ -694,7 +694,7 @@ UNFOUNDED: dict[str, Claim] = {
     "a-slope-beside-a-function": order_claim(
         equal(sin(x), x + O(x**3)), equal(x, x + 1), by(algebra)
     ),
-    "a-formula-beside-an-order": order_claim(equal(sin(x), O(x)), FALSEHOOD, formally()),
+    "a-formula-beside-an-order": order_claim(equal(sin(x), O(x)), FALSEHOOD, Decided()),
     "a-path-to-another-point": Claim("f", order(equal(sin(x), O(x)), x), Asymptotics({x: 1 + t})),
     "a-path-outside-the-conditions": Claim(
         "f", order(equal(x * y, O(x)), x), Asymptotics({x: t, y: 1 / t}), given=(y < 1, y > 0)

@@ -23,10 +23,8 @@ from tresym.ledger.claim import (
     Definition,
     by,
     equal,
-    formally,
     manifest,
     step,
-    together,
 )
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.finding import Finding
@@ -79,7 +77,7 @@ def root(function: object, slope: object, low: object, high: object, *given: obj
 
 def test_conditions_with_integrals_alone_may_hold_nowhere() -> None:
     nowhere = Integral(exp(t), (t, 0, 1)) < 0
-    for proof in (by(algebra), formally(), manifest):
+    for proof in (by(algebra), Decided(), manifest):
         assert not verdict(claim(nowhere, proof, (nowhere,))).holds
         assert not verdict(claim(Gt(x**2 + 1, 0, evaluate=False), proof, (nowhere,))).holds
 
@@ -89,7 +87,7 @@ def test_conditions_of_what_is_not_elementary_are_met_nowhere() -> None:
     says = Gt(x**2 + 1, 0, evaluate=False)
     for given in ((area > 5,), (area > 5, area < 1), (area < 0, x > 0)):
         assert verdict(claim(says, manifest, given)) is Verdict.UNDECIDED
-        assert verdict(claim(says, formally(), given)) is Verdict.UNDECIDED
+        assert verdict(claim(says, Decided(), given)) is Verdict.UNDECIDED
 
 
 def test_a_true_claim_with_a_broken_chain_is_not_refuted() -> None:
@@ -103,7 +101,7 @@ def test_a_true_claim_with_a_broken_chain_is_not_refuted() -> None:
 def test_a_definition_that_contradicts_a_condition_proves_nothing() -> None:
     nought = Claim("nought", equal(x, 0), Definition())
     held = {"nought": judge(nought, {})}
-    for proof in (by(substituting(nought)), formally(nought)):
+    for proof in (by(substituting(nought)), Decided((nought,))):
         user = Claim("user", equal(1 / x, 2), proof, given=(x > 0,))
         assert not judge(user, held).verdict.holds
 
@@ -122,7 +120,7 @@ def test_a_condition_against_a_definition_or_a_cited_bound_proves_nothing() -> N
     held["third"] = Finding(Verdict.PROVED, "assumed")
     third = replace(third, says=equal(y, Rational(3, 2)))
     says = Gt(y + x, 6, evaluate=False)
-    assert not judge(Claim("…", says, formally(third), given=(x > 5,)), held).verdict.holds
+    assert not judge(Claim("…", says, Decided((third,)), given=(x > 5,)), held).verdict.holds
     root, says = Decided(), ExactlyOne(x, 0, 1, equal(x**3 + a * x, a))
     assert verdict(claim(says, root, (a > 0,))) is Verdict.PROVED
     assert not verdict(claim(says, root, (a > 0, a < 0))).holds
@@ -132,7 +130,7 @@ def test_a_condition_against_a_definition_or_a_cited_bound_proves_nothing() -> N
 
 
 def test_whichever_part_is_false_is_refuted() -> None:
-    both = together(by(), by())
+    both = Decided()
     right, wrong = equal(x + x, 2 * x), equal(x + x, 3 * x)
     for parts in ((right, wrong), (wrong, right)):
         assert judge(claim(Tuple(*parts), both), {}).verdict is Verdict.REFUTED

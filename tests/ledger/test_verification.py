@@ -22,7 +22,6 @@ from tresym.ledger.claim import (
     ImplicitFunction,
     Root,
     Step,
-    Together,
     chains_of,
     equal,
 )
@@ -85,7 +84,7 @@ def parts(claim: Claim) -> list[tuple[sympy.Basic, Chain]]:
         left = proof.equation.says.lhs.xreplace({proof.parameter: proof.at})
         slope = sympy.Derivative(left, proof.unknown)
         return [(equal(slope, proof.slope[-1].expression), proof.slope)]
-    return list(chains_of(claim.statement, proof)) if isinstance(proof, tuple | Together) else []
+    return list(chains_of(claim.statement, proof)) if isinstance(proof, tuple) else []
 
 
 def conditions(claim: Claim) -> Conditions:

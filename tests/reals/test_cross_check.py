@@ -18,9 +18,8 @@ import tresym
 from tresym.checking.claim_cross_check import attack
 from tresym.commands import main
 from tresym.dev.corpus.lists import known, pairs
-from tresym.ledger.claim import Claim, Definition, by, equal, formally, together
-from tresym.ledger.finding import StepFinding
-from tresym.ledger.reasons import substituting
+from tresym.ledger.claim import Claim, Definition, equal
+from tresym.ledger.evidence.decided import Decided
 from tresym.reals import cross_check
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import read
@@ -201,25 +200,25 @@ def test_a_range_that_is_too_large(monkeypatch: Patch) -> None:
 
 @pytest.fixture
 def careless(monkeypatch: Patch) -> None:
-    """A judge to whom every step of a chain is right."""
-    step = StepFinding(PROVED, "it looks right")
-    monkeypatch.setattr(claims_judge, "check_chain", lambda *_: (step,))
+    """A judge to whom whatever the engine is asked is right."""
+    believing = claims_judge.Finding(PROVED, "it looks right")
+    monkeypatch.setattr(claims_judge, "judge_decided", lambda *_: believing)
 
 
 DEFINED = Claim("defined", equal(y, x**2), Definition())
 PLANTED = [
-    Claim("equation", equal(sin(x) ** 2, 1 - cos(x)), by()),
-    Claim("far", Gt(10**6, x, evaluate=False), by(), given=(x > 0,)),
-    Claim("system", Tuple(equal(x + x, 2 * x), equal(x * x, 2 * x)), together(by(), by())),
-    Claim("either", Equivalent(equal(x, t), equal(x**2, 4 * t)), by()),
-    Claim("by definition", equal(y, x**3), by(substituting(DEFINED))),
-    Claim("integral", equal(Integral(t, (t, 0, x)), x**2), by(), given=(x > 0, x < 2)),
+    Claim("equation", equal(sin(x) ** 2, 1 - cos(x)), Decided()),
+    Claim("far", Gt(10**6, x, evaluate=False), Decided(), given=(x > 0,)),
+    Claim("system", Tuple(equal(x + x, 2 * x), equal(x * x, 2 * x)), Decided()),
+    Claim("either", Equivalent(equal(x, t), equal(x**2, 4 * t)), Decided()),
+    Claim("by definition", equal(y, x**3), Decided((DEFINED,))),
+    Claim("integral", equal(Integral(t, (t, 0, x)), x**2), Decided(), given=(x > 0, x < 2)),
 ]
 
 
 @pytest.mark.parametrize("claim", PLANTED, ids=lambda claim: claim.label)
 @pytest.mark.usefixtures("careless")
-def test_a_broken_chain(claim: Claim) -> None:
+def test_a_broken_engine(claim: Claim) -> None:
     found = {"defined": claims_judge.judge(DEFINED, {})}
     finding = claims_judge.judge(claim, found)
     assert (finding.verdict, finding.stopped) == (UNDECIDED, True)
@@ -230,7 +229,7 @@ def test_a_sentence_is_attacked_by_what_it_states(monkeypatch: Patch) -> None:
     believing = claims_judge.Finding(PROVED, "it looks right")
     monkeypatch.setattr(claims_judge, "_judge", lambda *_: believing)
     says = "x lies below 1000"
-    sentence = Claim("sentence", says, formally(), given=(x > 0,), means=x < 1000)
+    sentence = Claim("sentence", says, Decided(), given=(x > 0,), means=x < 1000)
     assert claims_judge.judge(sentence, {}).stopped
 
 
@@ -251,7 +250,7 @@ def test_verify_does_not_end_well(monkeypatch: Patch, capsys: Any) -> None:
 def test_mutants_that_only_the_advocate_stops_are_told(monkeypatch: Patch, capsys: Any) -> None:
     from tresym.dev.mutants.report import verify_mutants
 
-    true = Claim("true", equal(sin(x) ** 2, 1 - cos(x) ** 2), by())
+    true = Claim("true", equal(sin(x) ** 2, 1 - cos(x) ** 2), Decided())
     monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda *_: (true,))
     monkeypatch.setattr("tresym.ledger.verification.choose", lambda *_: (true,))
     monkeypatch.setattr("tresym.dev.mutants.report.choose", lambda *_: (true,))

@@ -46,7 +46,7 @@ from tresym.coq.statement import (
 from tresym.coq.structural_signs import manifest_proofs
 from tresym.coq.theorem_trees import defined, inside, put_at, values_of
 from tresym.coq.witness_points import point_proofs
-from tresym.ledger.claim import Chain, Claim, Definition, Instance, Reason, Root, Together
+from tresym.ledger.claim import Chain, Claim, Definition, Instance, Reason, Root
 from tresym.ledger.conversion import stage, tree
 from tresym.ledger.paper import file_of
 from tresym.reals.language.binders import elementary, worked_out
@@ -168,12 +168,7 @@ class _Planner:
     def plan(self) -> Plan:
         """Return the complete plan."""
         whole, proof = self.whole, self.claim.proof
-        if isinstance(proof, Together):
-            assert isinstance(whole.says, Conjunction)
-            pairs = zip(whole.says.parts, proof.chains, strict=True)
-            body = _split([self.shown(part, chain) for part, chain in pairs])
-        else:
-            body = self.shown(whole.says, proof if isinstance(proof, tuple) else ())
+        body = self.shown(whole.says, proof if isinstance(proof, tuple) else ())
         text = "\n".join([*self.beginning(), body])
         return Plan(tuple(self.lemmas), text, tuple(self.uses))
 

@@ -174,18 +174,6 @@ class Root:
 
 
 @dataclass(frozen=True)
-class Together:
-    """One chain for each part of a statement that has several."""
-
-    chains: tuple[Chain, ...]
-
-
-def together(*chains: Chain) -> Together:
-    """Return chains for the parts of a system of equations or inequalities, in order."""
-    return Together(chains)
-
-
-@dataclass(frozen=True)
 class Monotone:
     """Evidence that an equation has at most one root: left side minus right side is increasing."""
 
@@ -471,22 +459,6 @@ class Dominated:
 
 
 @dataclass(frozen=True)
-class Formally:
-    """Evidence for relations that are decided without a chain, by normal forms and proven signs.
-
-    The equations of ``claims`` are substituted first. A false relation is refuted by an exact
-    point at which ball arithmetic violates it.
-    """
-
-    claims: tuple[Claim, ...] = ()
-
-
-def formally(*using: Claim) -> Formally:
-    """Return evidence without a chain, with the equations of ``using`` substituted."""
-    return Formally(using)
-
-
-@dataclass(frozen=True)
 class Counterexample:
     """Evidence against a statement: an exact point that satisfies the conditions and violates it.
 
@@ -537,12 +509,10 @@ Evidence = (
     | Definition
     | Root
     | Instance
-    | Together
     | Monotone
     | ImplicitFunction
     | Printed
     | AllOf
-    | Formally
     | Counterexample
     | Any
 )
@@ -808,12 +778,8 @@ def expressions(claim: Claim) -> Iterator[Basic]:
             yield from (e for e in written if e is not None)
 
 
-def chains_of(says: Basic, proof: Chain | Together) -> tuple[tuple[Basic, Chain], ...] | None:
-    """Pair each part of the statement with its chain; None if their numbers differ."""
-    if isinstance(proof, Together):
-        parts = parts_of(says)
-        same = len(parts) == len(proof.chains)
-        return tuple(zip(parts, proof.chains, strict=True)) if same else None
+def chains_of(says: Basic, proof: Chain) -> tuple[tuple[Basic, Chain], ...]:
+    """Pair each part of the statement with the chain."""
     alike = len(proof) == 1 and proof[0].expression is None
     return tuple((part, proof) for part in (parts_of(says) if alike else (says,)))
 
@@ -821,8 +787,6 @@ def chains_of(says: Basic, proof: Chain | Together) -> tuple[tuple[Basic, Chain]
 def _chains(proof: Evidence) -> tuple[Chain, ...]:
     """Return the chains that the evidence contains."""
     match proof:
-        case Together(chains):
-            return chains
         case ImplicitFunction():
             return (proof.slope,)
         case tuple():
@@ -845,8 +809,6 @@ def with_reasons(proof: Evidence, changed: Callable[[Reason], Reason], *more: Re
         return tuple(Step(k.expression, (*more, *map(changed, k.reasons))) for k in links)
 
     match proof:
-        case Together(chains):
-            return Together(tuple(map(chain, chains)))
         case ImplicitFunction():
             return replace(proof, slope=chain(proof.slope))
         case Monotone() if isinstance(proof.slope, tuple):
@@ -858,8 +820,6 @@ def with_reasons(proof: Evidence, changed: Callable[[Reason], Reason], *more: Re
 
 def put_in_by(claim: Claim) -> tuple[Claim, ...]:
     """Return the claims whose equations are substituted; their conditions must hold here."""
-    if isinstance(claim.proof, Formally):
-        return claim.uses
     reasons = (r for chain in _chains(claim.proof) for link in chain for r in link.reasons)
     return tuple(dict.fromkeys(c for r in reasons if r.name == "substituting" for c in r.claims))
 

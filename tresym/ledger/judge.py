@@ -29,7 +29,6 @@ from tresym.ledger.claim import (
     Definition,
     Dominated,
     Follows,
-    Formally,
     FromSlope,
     FromTheEdge,
     ImplicitFunction,
@@ -41,7 +40,6 @@ from tresym.ledger.claim import (
     Root,
     RootBound,
     RootMonotone,
-    Together,
     asked_by,
     chains_of,
     parts_of,
@@ -54,16 +52,13 @@ from tresym.ledger.conversion import (
     dependencies,
     dependent,
     formula,
-    known,
-    put_in,
-    put_into,
 )
-from tresym.ledger.counterexamples import contradiction, scalars
+from tresym.ledger.counterexamples import contradiction
 from tresym.ledger.definitions import captured, conflict, confused, judge_definition, table
 from tresym.ledger.evidence.allowed_evidence import unfit
 from tresym.ledger.evidence.asymptotics import Asymptotics, failing_order
 from tresym.ledger.evidence.box_bounds import Boxes
-from tresym.ledger.evidence.chain import check_chain, instantiated
+from tresym.ledger.evidence.chain import check_chain
 from tresym.ledger.evidence.chart_bounds import Charted, judge_charted
 from tresym.ledger.evidence.decided import Decided, judge_decided
 from tresym.ledger.evidence.deductions import (
@@ -97,13 +92,11 @@ from tresym.ledger.refutations import (
     refute,
     refuted_part,
 )
-from tresym.ledger.statements import As, Binding, ForSome, Under
+from tresym.ledger.statements import As, Binding, Under
 from tresym.reals.balls.branch_and_bound import CertificateError
 from tresym.reals.cross_check import STOPPED
-from tresym.reals.decisions.identity import decide_continuous
-from tresym.reals.language.binders import elementary, generalised
 from tresym.reals.language.expression import Expr
-from tresym.reals.language.formula import Relation, relations
+from tresym.reals.language.formula import relations
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -206,7 +199,7 @@ def _can_be_evaluated(says: Basic, claim: Claim) -> bool:
     term of higher order; such a claim can only be checked if its conditions name the symbol.
     """
     known = frozenset().union(*(condition.free_symbols for condition in claim.given))
-    shown = tuple | Together | Formally | Instance | RootBound | FromSlope | FromTheEdge | Decided
+    shown = tuple | Instance | RootBound | FromSlope | FromTheEdge | Decided
     attacked = isinstance(claim.proof, shown)
     return attacked or says.free_symbols <= known
 
@@ -285,8 +278,6 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
             return judge_infimum(claim, claim.proof)
         case Dominated():
             return judge_dominated(claim, claim.proof)
-        case Formally():
-            return _judge_relations(claim)
         case Counterexample():
             return judge_counterexample(claim, claim.proof)
         case Monotone():
@@ -295,7 +286,7 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
             return judge_implicit_function(claim, claim.proof)
         case Instance():
             return _unless(partial(refuted_part, claim), _judge_instance, claim, claim.proof)
-        case Together() | tuple() if claim.statement is not None:
+        case tuple() if claim.statement is not None:
             return _judge_chains(claim, chains_of(claim.statement, claim.proof))
         case Charted():
             finding = judge_charted(claim, claim.proof)
@@ -355,12 +346,8 @@ def _judge_with_facts(claim: Claim, found: Findings) -> Finding:
     return replace(finding, steps=steps + finding.steps)
 
 
-def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...] | None) -> Finding:
+def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Finding:
     """Return PROVED if every step of every chain is; otherwise search for a counterexample."""
-    if parts is None:
-        raise NotShownError(
-            "the proof must have one chain for each part of the statement, but their numbers differ"
-        )
     need_possible(claim)
     given = conditions(claim.given)
     steps = tuple(s for says, chain in parts for s in check_chain(formula(says), chain, given))
@@ -481,56 +468,3 @@ def _need_values(sides: Sequence[Expr], given: Conditions) -> None:
         gap = undefined(side, given)
         need(gap is None, f"could not show that {gap} lies in the domain of its operation")
     need_integrals(sides, given)
-
-
-def _judge_relations(claim: Claim) -> Finding:
-    """Judge the relations one by one; the first that is not PROVED determines the finding.
-
-    A statement "for some values, φ" is refuted by proving the negation of φ for all values.
-    """
-    says = claim.statement
-    if isinstance(says, ForSome):
-        (some,) = says.args
-        never = some.negated if isinstance(some, Relational) else None
-        need(isinstance(never, Relational), "could not show that the relation holds at no point")
-        _without_chain(never, claim)
-        where = known(conditions(claim.given)).satisfying_point()
-        return Finding(
-            REFUTED, f"{never} holds for all values, for example at the witness", witness=where
-        )
-    relations = [entry for part in claim.parts for entry in scalars(part)]
-    need(bool(relations), "the statement contains no relation that could be decided")
-    for relation in relations:
-        if not isinstance(relation, Relational):
-            raise NotShownError(f"{relation} is not a relation")
-        refuted = partial(refute, relation, claim)
-        finding = _unless(refuted, _without_chain, relation, claim)
-        if finding.verdict is not PROVED:
-            return finding
-    return finding
-
-
-def _without_chain(written: Relational, claim: Claim) -> Finding:
-    """Prove one relation: an equation by normal forms, an inequality by the sign prover."""
-    need_possible(claim)
-    relation, given = formula(written), conditions(claim.given)
-    if not isinstance(relation, Relation):
-        raise NotShownError(f"{written} is not a relation between numbers")
-    rules, _ = instantiated(claim.uses, given)
-    meant = put_into(given, rules)
-    plain = tuple(c for c in meant if elementary(c.left, c.right))
-    left, right = (put_in(side, rules) for side in (relation.left, relation.right))
-    if relation.sign == "==":
-        one, other = generalised(left, right)
-        decision = decide_continuous(one, other, known(plain))
-        shown, why = decision.verdict is PROVED, decision.why
-    else:
-        shown = is_manifest(Relation(left, relation.sign, right), plain)
-        why = (
-            "the sign of the difference of the two sides is proven"
-            if shown
-            else "could not determine the sign of the difference of the two sides"
-        )
-    need(shown, why)
-    _need_values((left, right), plain)
-    return Finding(PROVED, why)

@@ -22,7 +22,7 @@ from tresym.ledger.claim import (
     Claim, Counterexample, Definition, Dominated, Fault, FromSlope, FromTheEdge,
     ImplicitFunction, InfimumBy, Instance, Monotone, MonotoneOf, Printed,
     Root, RootBound, RootMonotone, all_of, at, by, display, equal, equations,
-    follows, formally, in_words, jointly, label_claims, line, manifest, parts_of, step, together,
+    follows, in_words, jointly, label_claims, line, manifest, parts_of, step,
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.box_bounds import Boxes
@@ -56,8 +56,8 @@ __all__ = [
     "all_of", "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
     "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "diff",
     "differentiating_integral", "differentiation", "display", "equal", "equations", "evaluating",
-    "exp", "exponentials", "eye", "fmpq", "follows", "formally", "in_words", "integrating",
+    "exp", "exponentials", "eye", "fmpq", "follows", "in_words", "integrating",
     "inverses", "jointly", "label_claims", "line", "log", "manifest", "multiplying", "oo", "order",
     "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step", "substituting", "sympy", "tan",
-    "tanh", "together", "trigonometry",
+    "tanh", "trigonometry",
 ]

@@ -4,7 +4,7 @@ import json
 
 import pytest
 from flint import arb, fmpq
-from sympy import Function, Ge, Integral, Le, Symbol, Tuple, cos, exp, sin, sqrt, tan
+from sympy import Function, Ge, Integral, Symbol, Tuple, cos, exp, sin, sqrt, tan
 
 from tresym.commands import main
 from tresym.dev.mutants.mutants import mutants, why_few
@@ -19,7 +19,6 @@ from tresym.ledger.claim import (
     Printed,
     by,
     equal,
-    formally,
 )
 from tresym.ledger.counterexamples import violation
 from tresym.ledger.evidence.decided import Decided
@@ -28,7 +27,7 @@ from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
 from tresym.ledger.paper import all_claims
 from tresym.ledger.reasons import roots, substituting, trigonometry
-from tresym.ledger.statements import ForSome, Rounds, order
+from tresym.ledger.statements import Rounds, order
 from tresym.racket.notation import a, b
 from tresym.reals.verdict import Verdict
 
@@ -188,17 +187,6 @@ def test_the_region_of_a_claim_is_changed() -> None:
     assert not any("a > 0" in m.change for m in found)
 
 
-def test_that_something_is_nowhere_is_said_of_what_is_somewhere() -> None:
-    says = ForSome(Le(x**2 + 1, 0, evaluate=False))
-    nowhere = Claim("nowhere", says, formally(), given=(x < 2,))
-    assert judge(nowhere, {}).verdict is Verdict.REFUTED
-    found = [m.claim for m in mutants(nowhere, 5)]
-    assert found
-    assert all(judge(c, {}).verdict is Verdict.REFUTED for c in found)
-    somewhere = Claim("somewhere", ForSome(Le(x**2, 1, evaluate=False)), formally())
-    assert judge(somewhere, {}).verdict is Verdict.UNDECIDED
-
-
 def test_claims_with_few_mutants_are_listed_with_the_reason() -> None:
     report = verify_mutants(["chart", "eq_gamma"], 5)
     assert [(row.label, row.changes) for row in report.few] == [("chart", 0)]
@@ -306,12 +294,6 @@ def test_integrals_are_enclosed() -> None:
     assert area.overlaps(known)
     assert area.rad() < arb("1e-9")
     assert not value(Integral(1 / t, (t, -1, x)), {x: arb(1)}).is_finite()
-
-
-def test_sentences_without_a_chain_have_mutants() -> None:
-    says = Tuple(x**2 + y > 0, y**2 + x > 1)
-    sentence = Claim("s", "x² + y > 0, …", formally(), given=(y > 1, x > 1), means=says)
-    assert {m.place for m in mutants(sentence, 4)} >= {"relation 1", "relation 2"}
 
 
 def test_a_chain_follows_what_it_must_show() -> None:

@@ -22,7 +22,8 @@ from tresym.ledger.audit.coverage import (
 )
 from tresym.ledger.audit.source import scan
 from tresym.ledger.audit.transcription import Reading, functions_of, unmet
-from tresym.ledger.claim import Claim, Definition, Place, Printed, all_of, equal, formally
+from tresym.ledger.claim import Claim, Definition, Place, Printed, all_of, equal
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.latex_source import read_source
 from tresym.ledger.paper import all_claims
 from tresym.ledger.statements import Rounds
@@ -306,7 +307,7 @@ def test_a_sentence_counts_by_its_formal_relations() -> None:
     said = Claim(
         "energy",
         "The energy",
-        formally(),
+        Decided(),
         means=equal(h, dq_dt**2 / 2 - w**2 * cos(q)),
         where=Place(display=1),
     )

@@ -6,7 +6,8 @@ import pytest
 from sympy import Basic, Eq, Equivalent, Matrix, Symbol, Tuple, cos, sin, sqrt
 
 from tresym.ledger.audit.transcription import Reading, differing, functions_of, unmet
-from tresym.ledger.claim import Claim, Definition, Printed, all_of, equal, formally
+from tresym.ledger.claim import Claim, Definition, Printed, all_of, equal
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.statements import Rounds
 from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_author import Author, Function
@@ -78,7 +79,7 @@ def test_sentences_numbers_and_conjunctions() -> None:
     number = replace(claim("a number", Printed()), means=Rounds(y, "1.25"))
     assert left_over("y = 1.25", number) == []
     assert left_over("y = 1.26", number) == ["y == 1.26"]
-    sentence = replace(claim("in words", formally()), means=equal(y, x))
+    sentence = replace(claim("in words", Decided()), means=equal(y, x))
     both = claim("both", all_of(sentence, number))
     assert left_over("y = x", sentence) == left_over("y = x", both) == []
     assert left_over("y = x", claim("in words", Definition())) == ["y == x"]

@@ -40,12 +40,12 @@ from tresym.ledger.claim import (
     all_of,
     by,
     equal,
-    formally,
 )
 from tresym.ledger.evidence import box_bounds as bounds
 from tresym.ledger.evidence.allowed_evidence import is_formal, unfit
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.box_bounds import Boxes
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
@@ -112,9 +112,9 @@ def test_no_formula_is_decided_by_evidence_that_does_not_mention_it(name: str) -
 
 def test_a_formula_is_proved_by_all_of_its_own_relations() -> None:
     above, below = Gt(x**2 + 1, 0, evaluate=False), Gt(x, 0, evaluate=False)
-    assert verdict(above, formally()) is Verdict.PROVED
-    assert verdict(Tuple(above, below), formally()) is Verdict.REFUTED
-    assert verdict(Tuple(above, below), formally(), x > 1) is Verdict.PROVED
+    assert verdict(above, Decided()) is Verdict.PROVED
+    assert verdict(Tuple(above, below), Decided()) is Verdict.REFUTED
+    assert verdict(Tuple(above, below), Decided(), x > 1) is Verdict.PROVED
 
 
 @pytest.mark.parametrize("name", ["a conjunction", "a denial", "bounds"])

@@ -44,7 +44,6 @@ from tresym.ledger.claim import (
     Claim,
     Counterexample,
     Definition,
-    Formally,
     ImplicitFunction,
     Instance,
     Monotone,
@@ -52,10 +51,8 @@ from tresym.ledger.claim import (
     Reason,
     Root,
     Step,
-    Together,
     chains_of,
     equal,
-    formally,
     parts_of,
     saying,
     with_reasons,
@@ -68,7 +65,7 @@ from tresym.ledger.evidence.interval_evaluation import Evaluated, fails_at_once
 from tresym.ledger.evidence.refutation import Denied, denied_somewhere
 from tresym.ledger.judge import judge_evidence
 from tresym.ledger.refutations import refute
-from tresym.ledger.statements import As, AtMostOne, ExactlyOne, ForSome
+from tresym.ledger.statements import As, AtMostOne, ExactlyOne
 from tresym.reals.verdict import Verdict
 
 Variant = Any
@@ -227,16 +224,12 @@ def _spots(claim: Claim, dependents: tuple[Claim, ...]) -> Iterator[_Spot]:
             yield _counterexample_spot(claim)
             for n, condition in enumerate(claim.given, 1):
                 yield _condition_spot(claim, n, condition)
-        case Formally() if isinstance(claim.statement, ForSome):
-            (some,) = claim.statement.args
-            nowhere = (e.negated for e in _mutations(some) if isinstance(e, Relational))
-            yield _said_spot(claim, "denial", nowhere)
-        case Formally() | Instance():
+        case Instance():
             for n, relation in enumerate(claim.parts, 1):
                 yield _said_spot(claim, f"relation {n}", _mutations(relation))
             yield _region_spot(claim)
-        case Together() | tuple() if claim.statement is not None:
-            parts = chains_of(claim.statement, claim.proof) or ()
+        case tuple() if claim.statement is not None:
+            parts = chains_of(claim.statement, claim.proof)
             for n, (part, chain) in enumerate(parts, 1):
                 yield from _chain_spots(claim, part, chain, f"part {n}: " if parts[1:] else "")
             yield _region_spot(claim)
@@ -300,7 +293,7 @@ def _counterexample_spot(claim: Claim) -> _Spot:
         plain = all(isinstance(part, Relational) for part in parts_of(changed))
         if not plain or sum(e.count_ops() for e in (changed, *claim.given)) > LARGEST:
             return (at_point,)
-        return at_point, replace(at_point, proof=formally())
+        return at_point, replace(at_point, proof=Decided())
 
     return _Spot("statement", _mutated(claim), claims, _is_refuted)
 
@@ -324,7 +317,7 @@ def _chain_spots(claim: Claim, says: Basic, chain: Chain, prefix: str) -> Iterat
         follows = replace(saying(claim, changed), proof=_following(chain, says, changed))
         if isinstance(changed, Equivalent) or _is_plain(chain):
             return (follows,)
-        return follows, replace(follows, proof=formally(*claim.uses))
+        return follows, replace(follows, proof=Decided(claim.uses))
 
     yield _Spot(prefix + "statement", _mutations(says), claims, _is_violated)
     yield from _step_spots(claim, _start(says), chain, prefix)
@@ -376,7 +369,7 @@ def _slope_spots(claim: Claim, chain: Chain, root: ExactlyOne | AtMostOne) -> It
 
 def _proving(dependents: tuple[Claim, ...]) -> Iterator[Claim]:
     """Return claims that prove something about a definition they depend on."""
-    kinds = tuple | Together | Formally | Charted | Printed
+    kinds = tuple | Charted | Printed
     return (d for d in dependents if isinstance(d.proof, kinds))
 
 
@@ -454,7 +447,7 @@ def _resting_on(claim: Claim, other: Claim) -> Claim:
         )
 
     proof = claim.proof
-    if isinstance(proof, Formally | Printed):
+    if isinstance(proof, Printed):
         return replace(claim, proof=replace(proof, claims=named(proof.claims)))
     if isinstance(proof, Charted):
         put, cited = named(proof.put), named(proof.cited)

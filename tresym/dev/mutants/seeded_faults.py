@@ -19,10 +19,10 @@ from tresym.ledger.claim import (
     Printed,
     by,
     equal,
-    formally,
     step,
 )
 from tresym.ledger.evidence.box_bounds import Boxes
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.reasons import (
     changing_variable,
     citing,
@@ -96,7 +96,7 @@ def _of_definitions() -> Iterator[Claim]:
 def _of_evidence() -> Iterator[Claim]:
     false = equal(Integer(0), Integer(1))
     true = Gt(t**2 + 1, 0, evaluate=False)
-    yield Claim("planted: another formula", false, formally(), means=true)
+    yield Claim("planted: another formula", false, Decided(), means=true)
     square = Bound(lambda x, m: x * x, box(("1", "2")))
     yield Claim("planted: another bound", Gt(u, 100, evaluate=False), Boxes((square,), ("u",), "…"))
     always = Bound(lambda x, m: arb(1), box(("1", "2")))

@@ -13,7 +13,8 @@ from itertools import product, zip_longest
 from typing import Any
 
 from tresym.ledger.audit.tree_comparison import of_claim, of_display, same
-from tresym.ledger.claim import AllOf, Claim, Formally
+from tresym.ledger.claim import AllOf, Claim
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.statements import Rounds
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.calls import INFINITY
@@ -160,7 +161,7 @@ def _statements(claim: Claim) -> Iterator[_Statement]:
     if isinstance(claim.statement, Rounds):
         numbers = [claim.statement.text]
     if isinstance(claim.says, str):
-        says = [claim.means] if isinstance(claim.proof, Formally) else []
+        says = [claim.means] if isinstance(claim.proof, Decided) else []
     if isinstance(claim.proof, AllOf):
         for part in claim.proof.claims:
             yield from _statements(part)

@@ -23,7 +23,6 @@ from tresym.ledger.claim import (
     Definition,
     Dominated,
     Follows,
-    Formally,
     FromSlope,
     FromTheEdge,
     ImplicitFunction,
@@ -35,7 +34,6 @@ from tresym.ledger.claim import (
     Root,
     RootBound,
     RootMonotone,
-    Together,
 )
 from tresym.ledger.conversion import conditions, tree
 from tresym.ledger.evidence.asymptotics import Asymptotics
@@ -68,15 +66,15 @@ WITHOUT_CONDITIONS = (AllOf, Denied)
 HOLDS_FUNCTIONS = (Boxes, Denied)
 """Evidence whose relation to the statement is only checked at sample points, or by the reader."""
 DECIDING = (
-    *(tuple, Together, Monotone, Printed, Formally, Counterexample),
+    *(tuple, Monotone, Printed, Counterexample),
     *(Asymptotics, Charted, Evaluated, Boxes),
     *(RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge, InfimumBy, Dominated),
     *(Follows, Decided),
 )
 """Evidence that decides the formula in ``means``, also if ``says`` is different."""
 KINDS = (
-    *(tuple, Definition, Root, Instance, Charted, Together, ImplicitFunction),
-    *(Printed, AllOf, Formally, Counterexample, Boxes, Asymptotics, Denied, Evaluated),
+    *(tuple, Definition, Root, Instance, Charted, ImplicitFunction),
+    *(Printed, AllOf, Counterexample, Boxes, Asymptotics, Denied, Evaluated),
     *(Monotone, Follows, RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge),
     *(InfimumBy, Dominated, Decided),
 )

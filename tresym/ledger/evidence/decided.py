@@ -21,7 +21,7 @@ What is checked here, before and after the engine is asked:
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
@@ -302,7 +302,7 @@ def _decided(
         if found.verdict is Verdict.PROVED:
             return Answer(found.verdict, found.why, str(relation))
     if defined_there and relation.sign in ORDERINGS:
-        if is_manifest(worked, given):
+        if is_manifest(worked, given) and _integrals_exist((left, right), given, integrals_exist):
             why = "the sign of the difference follows from those of its parts"
             return Answer(Verdict.PROVED, why, str(relation))
         if _by_integrands(relation, given):
@@ -344,12 +344,25 @@ def _by_integrands(relation: Relation, given: Conditions) -> bool:
 def _binders_exist(sides: tuple[Expr, ...], given: Conditions, integrals_exist: bool) -> bool:
     """Return whether each integral and derivative is shown to exist."""
     nodes = list(outermost(*sides))
-    integrals = [node for node in nodes if holds_integral(node)]
+    if not _integrals_exist(nodes, given, integrals_exist):
+        return False
+    return all(_differentiable(node, given) for node in nodes)
+
+
+def _integrals_exist(sides: Iterable[Expr], given: Conditions, integrals_exist: bool) -> bool:
+    """Return whether each integral is shown to exist."""
     try:
-        need_integrals(() if integrals_exist else integrals, given)
+        need_integrals(() if integrals_exist else sides, given)
     except NotShownError:
         return False
-    return _derivatives_exist(tuple(node for node in nodes if node not in integrals), given)
+    return True
+
+
+def _differentiable(e: Expr, given: Conditions) -> bool:
+    """Return whether each derivative that holds no integral is shown to exist."""
+    return _derivatives_exist(
+        tuple(node for node in outermost(e) if not holds_integral(node)), given
+    )
 
 
 def _derivatives_exist(sides: tuple[Expr, ...], given: Conditions) -> bool:
@@ -422,6 +435,8 @@ def _relations(says: Basic, rules: Rules, given: Conditions) -> Iterator[Relatio
                 if gap is not None and side != written:
                     gap = undefined(worked_out(written), given)
                 need(gap is None, f"could not show that {gap} lies in the domain of its operation")
+                exists = _differentiable(side, given) or _differentiable(written, given)
+                need(exists, f"could not show that the derivatives in {written} exist")
             yield Relation(left, relation.sign, right)
 
 

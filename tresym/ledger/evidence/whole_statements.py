@@ -134,7 +134,7 @@ class _Statement:
         raise AssertionError
 
     def _link(self, part: Basic) -> Compared:
-        relation = formula(part)
+        relation = formula(part) if isinstance(part, Relational) else None
         if not isinstance(relation, Relation):
             raise NotShownError(f"{part} is not a relation between numbers")
         return self.put(part.args[0]), relation.sign, self.put(part.args[1])

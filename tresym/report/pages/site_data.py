@@ -28,14 +28,12 @@ RECORD_VERSION = 1
 _EVIDENCE = {
     "tuple": "a chain of equalities, each step decided by an exact normal form from the reasons "
     "beside it",
-    "Together": "a chain of equalities for each part, each step decided by an exact normal form",
     "Definition": "a definition: its symbols are new, and each has a value",
     "Root": "a definition: a name for a root that is proved to exist and to be unique",
     "Instance": "substitution into an earlier claim, whose conditions are verified",
     "Charted": "ball arithmetic on boxes in coordinates that cover the region, with an exact "
     "proof of the change of coordinates",
     "AllOf": "a conjunction of claims, each proved separately",
-    "Formally": "a decision of the formulas that the sentence states",
     "Counterexample": "an exact point at which the conditions hold and the statement fails",
     "ImplicitFunction": "the implicit function theorem, applied to an earlier equation that is "
     "smooth and has a non-zero derivative",

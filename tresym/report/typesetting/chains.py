@@ -11,7 +11,7 @@ from typing import NamedTuple
 from sympy import Basic, Eq, Equivalent, Tuple
 from sympy.core.relational import Relational
 
-from tresym.ledger.claim import Chain, Claim, Reason, Step, Together, chains_of
+from tresym.ledger.claim import Chain, Claim, Reason, Step, chains_of
 from tresym.ledger.evidence.decided import Decided
 from tresym.reals.functions.table import TABLE, upright
 from tresym.report.typesetting.latex import bracketed, expression_latex, says_latex
@@ -59,8 +59,8 @@ def _shown(claim: Claim) -> tuple[Display, ...]:
         return ((Line("", claim.shown, why),),)
     if isinstance(says, str):
         return ()
-    if isinstance(proof, Together | tuple):
-        return tuple(_lines(part, chain) for part, chain in chains_of(says, proof) or ())
+    if isinstance(proof, tuple):
+        return tuple(_lines(part, chain) for part, chain in chains_of(says, proof))
     parts = says.args if isinstance(says, Tuple) else (says,)
     derived = all(isinstance(part, Relational | Equivalent) for part in parts)
     if isinstance(proof, Decided) and proof.chains and derived:
