@@ -25,7 +25,7 @@ from tresym.reals.language.binders import (
     limit,
     outermost,
 )
-from tresym.reals.language.calls import INFINITY, UNKNOWN
+from tresym.reals.language.calls import INFINITY, INTEGERS, UNKNOWN
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
     DOTS,
@@ -53,6 +53,8 @@ DEFINED, ASSUMED, EQUATION, UNREAD = "DEFINED", "ASSUMED", "EQUATION", "UNREAD"
 CONSTANTS = re.compile(r"[CcAB]_?\d*|[CcA]_\w")
 _COUNTS = frozenset(("n", "N", "k", "m"))
 """Letters that tend to infinity unless the text says otherwise."""
+_WHOLE_LETTERS = frozenset("jklmnN")
+"""Letters of integers in an exponent of -1."""
 _NUMBERED = re.compile(r"[A-Za-z]+_?\d+")
 TOLD = "as the text before it says, with"
 WHERE = "under the conditions of the definition, with"
@@ -392,7 +394,8 @@ def _attempts(
             given = [
                 c for c in given if end not in names_in((c,))
             ]  # the path says where the claim holds
-            given += [c for c in _implied(one, other) if end not in names_in((c,))]
+            implied = (*_implied(one, other), *_integers(one, other))
+            given += [c for c in implied if end not in names_in((c,))]
             shown = chained(about(symbols(one) | symbols(other), given))
             told = (f" given {shown}" if shown else "") + as_path
             text = _with_functions_named(f"{one} {relation} {other}{told}", unknown_in(one, other))
@@ -455,6 +458,21 @@ def _implied(*sides: Expr) -> list[Compared]:
             found += [bound] if bound else []
         nodes += [arg for arg in node.args if isinstance(arg, Expr)]
     return list(dict.fromkeys(found))
+
+
+def _integers(*sides: Expr) -> list[Compared]:
+    """Return that the letters of indices in exponents of negative numbers are integers, as those
+    in ``(-1)**(2*k + 1)`` are, which is no real number for most other values."""
+    names: set[str] = set()
+    nodes = list(sides)
+    while nodes:
+        node = nodes.pop()
+        if node.hidden:
+            continue  # an index that is bound is an integer already
+        if node.op == "^" and node.args[0].op == "number" and node.args[0].args[0] < 0:
+            names |= symbols(node.args[1])
+        nodes += [arg for arg in node.args if isinstance(arg, Expr)]
+    return [(symbol(name), "in", INTEGERS) for name in sorted(names) if name in _WHOLE_LETTERS]
 
 
 def _sign_needed(e: Expr, at_zero: bool) -> Compared | None:

@@ -38,6 +38,8 @@ _OF_COMPLEX = frozenset(("\\Re", "\\Im", "\\arg"))
 _ANGULAR = frozenset(("\\sin", "\\cos", "\\tan", "\\cot"))
 """Functions behind which i is an inclination."""
 _CONJUGATE = frozenset(("star", "bar", "overline"))
+LEAST_OF_WORD = 5
+"""Letters in a row that are a word rather than a product."""
 _TOTALS = frozenset(
     ("\\sum", "\\prod", "\\lim", "\\bigcup", "\\bigcap", "\\sup", "\\limsup", "\\liminf")
 )
@@ -277,9 +279,13 @@ def _conjugates(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
             yield COMPLEX, one, f"\\{one.accent} {one.letter}"
     for pair in factors(tokens, found):
         accents = {m.accent for m in pair}
-        if pair[0].letter == pair[1].letter and "" in accents and accents & _CONJUGATE:
+        mean = bool(pair[0].subscript) != bool(pair[1].subscript)  # x_i beside \bar x
+        alike = pair[0].letter == pair[1].letter and not mean
+        if alike and "" in accents and accents & _CONJUGATE:
             yield from ((COMPLEX, m, f"{pair[0].shown} beside {pair[1].shown}") for m in pair)
-    imaginary = any(one.letter == "i" and not one.subscript for one in found)
+    imaginary = any(
+        one.letter == "i" and not one.subscript and not _in_word(tokens, one.start) for one in found
+    )
     imaginary = imaginary and not any("i" in one.subscript for one in found)  # there i is an index
     angle = any(
         one.letter == "i" and any(t in _ANGULAR for t in tokens[max(one.start - 4, 0) : one.start])
@@ -290,6 +296,16 @@ def _conjugates(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:
     heads = len(found) > 1 and found[0].start == 0 and tokens[found[0].end] == "="
     if imaginary and heads and not counts and found[0].letter != "i":
         yield COMPLEX, found[0], _shown(tokens, 0, found[0].end + 8)
+
+
+def _in_word(tokens: Sequence[str], at: int) -> bool:
+    """Whether a letter stands in a word that is written as letters: ``\\frac{opposite}{x}``."""
+    start = stop = at
+    while start and len(tokens[start - 1]) == 1 and tokens[start - 1].isalpha():
+        start -= 1
+    while stop < len(tokens) and len(tokens[stop]) == 1 and tokens[stop].isalpha():
+        stop += 1
+    return stop - start >= LEAST_OF_WORD
 
 
 def _both_orders(tokens: Sequence[str], found: Sequence[Mention]) -> Noted:

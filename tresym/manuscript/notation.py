@@ -118,6 +118,20 @@ _BETWEEN_ENDS = re.compile(
 _PART = re.compile(
     r"\\(?:operatorname\*?|mathrm|text|textrm|mathop\s*\{\s*\\(?:rm|mathrm))\s*\{?\s*(Re|Im)\s*\}(?:\s*\})?(?![a-zA-Z])"
 )
+_FROM_ON = re.compile(
+    r"\\(sum|prod)(?![a-zA-Z])\s*(?:\\limits\s*)?_\s*\{\s*([i-n])\s*(>|\\geq?(?:slant)?(?![a-zA-Z]))\s*"
+    r"(\d+|[a-zA-Z](?:\s*[+-]\s*\d+)?)\s*\}(?!\s*\^)"
+)
+"""A sum over ``k \\ge 1``."""
+_OVERLAY = re.compile(r"\\(?:uncover|onslide|visible|alert|pause)\s*(?:<[\d,\s-]*>|(?![a-zA-Z<]))")
+"""What makes parts of a slide appear one after another."""
+_PLAINER = str.maketrans(
+    {"\uff0c": ",", "\uff1b": ";", "\uff08": "(", "\uff09": ")", "\uff1d": "=", "\u2212": "-"}
+    | {"\u3002": " ", "\u00b0": "^\\circ "}
+)
+"""Punctuation of full width, a minus sign and a degree sign, as they are written in LaTeX."""
+_LG = re.compile(r"\\lg(?![a-zA-Z])(?!\s*_)")
+"""A logarithm whose base, 2 or 10, depends on the text: any base, then."""
 _SETTING = re.compile(r"\\(?:re)?newcommand\s*(?:\{[^{}]*\}|\\?\w+|[\d.]+)\s*\{[^{}]*\}")
 _CANCELLED_TO = re.compile(r"\\cancelto(?![a-zA-Z])")
 _NUMBER = re.compile(r"\\(?:SI|qty|num)\s*(?:\[[^\[\]]*\])?\s*\{([^{}]*)\}")
@@ -129,8 +143,11 @@ _UNITS = re.compile(r"\\(?:si|unit)\s*\{[^{}]*\}")
 
 def plain_notation(text: str) -> str:
     """Return a formula in the notation that the reader of LaTeX knows."""
+    text = text if text.isascii() else text.translate(_PLAINER)
     if not any(mark in text for mark in "\\^{('"):
         return text
+    text = _OVERLAY.sub(" ", text)
+    text = _LG.sub(r"\\log_{b_{lg}}", text)
     text = _AND.sub(r"\1\\text{and}", text)
     text = _SPELLED.sub(r"\g<before>\\text{ \g<word> }", text)
     text = _WIDE.sub(r" \\quad ", text)
@@ -142,6 +159,7 @@ def plain_notation(text: str) -> str:
         text = _FROM_ONE_SIDE.sub(lambda m: _from_one_side(*m.groups()), text)
         text = _ONE_LINE.sub(r" \1 ", text)
         text = _TWO_LINES.sub(_with_both_lines, text)
+    text = _FROM_ON.sub(lambda m: _from_on(*m.groups()), text)
     text = _BETWEEN_ENDS.sub(lambda m: _with_ends(*m.groups()), text)
     text = _without_targets(text)
     text = _ORDER_LABEL.sub(r" \1 ", text)
@@ -213,6 +231,11 @@ def _with_ends(sign: str, low: str, above: str, name: str, below: str, high: str
     low += "+1" if above == "<" else ""
     high += "-1" if below == "<" and high != "\\infty" else ""
     return rf"\{sign}_{{{name}={low}}}^{{{high}}}"
+
+
+def _from_on(sign: str, name: str, relation: str, low: str) -> str:
+    low += "+1" if relation == ">" else ""
+    return rf"\{sign}_{{{name}={low}}}^{{\infty}}"
 
 
 def _with_sign(found: re.Match[str]) -> str:

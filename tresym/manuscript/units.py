@@ -101,7 +101,7 @@ _TERMS = re.compile(
 _UPRIGHT = re.compile(
     r"(?<=[\d})])(?P<space>(?:\s|~|\\[ ,;:!])*)(?:\\(?:text|mathrm|textrm|mbox|rm)\s*\{"
     r"(?P<unit>\s*(?:\\[ ,])?(?:[a-zA-Z/.\s^\d-]|\\cdot|\\mu|\\[ ,]|\^\{-?\d\})*?[a-zA-Z\d}]\s*)\}"
-    r"(?P<power>\s*\^\s*\{?\s*-?\d\s*\}?)?|(?P<ohm>\\Omega(?![a-zA-Z])))"
+    r"(?P<power>\s*\^\s*(?:\{\s*-?\d\s*\}|-?\d))?|(?P<ohm>\\Omega(?![a-zA-Z])))"
 )
 """Upright letters behind a number, which may be its unit."""
 _COMMAND = re.compile(
