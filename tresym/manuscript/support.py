@@ -28,7 +28,9 @@ from tresym.manuscript.deciding import PASSES, Row, under_also
 from tresym.manuscript.mentions import dependent
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary, outermost
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.expression import ZERO, Expr, add, apply, bind, opened, rebuild, symbols
+from tresym.reals.language.parsing import parse_claim, sequences_of
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -82,6 +84,22 @@ _SCALED = re.compile(
 """Units with a prefix."""
 _ANGLES = re.compile(r"\brad\b|\\circ|[dD]eg|180")
 _OR = re.compile(r"(?<![a-zA-Z\\])or(?![a-zA-Z])")
+_LABEL = re.compile(r"(?<![a-zA-Z\\])[a-zA-Z]\s*\^\s*(?:\{\s*[01]\s*\}|[01](?!\d))(?<!e \^ [01])")
+"""A letter with the superscript 0 or 1."""
+_CASE = re.compile(
+    r"(?:\A|[.!?:;\n]|\\item\b)\s*(?:(?:now|first|then|next|so|but|and)\b[\s,]*)?"
+    r"(?:if|when|case|suppose|assum(?:e|ing))\b",
+    re.IGNORECASE,
+)
+"""A sentence that begins with a condition."""
+_OTHER_CASE = re.compile(
+    r"\W*(?:(?:similarly|likewise|conversely|on the other hand)\b[^.]*?\b(?:if|when|case)"
+    r"|(?:(?:and|but|now)\s+)?(?:if|when|otherwise))\b",
+    re.IGNORECASE,
+)
+"""The beginning of a sentence about another case."""
+MOST_BEFORE = 200
+"""How many characters before a display are searched for the case that it is about."""
 _WAVES = frozenset(("sin", "cos", "tan", "log", "exp"))
 
 
@@ -175,9 +193,30 @@ def _one_edit(case: Case) -> bool:
             continue  # the value of the other side: there always is one
         if any(found.claim.endswith(f"== {kept}") for kept in _beside_replaced(case)):
             continue  # it changes what is not printed there
+        if _says_less(found.claim, case.names):
+            continue
         if case.names or not _DIGITS.fullmatch(f"{new}{old}"):
             return True
     return False
+
+
+def _says_less(claim: str, names: set[str]) -> bool:
+    """Whether a repair drops a letter or makes an integral empty: it only holds because it says
+    less, as max(a, a) = a."""
+    terms = _terms(claim)
+    if not terms:
+        return True
+    empty = any(n.op == "integral" and n.args[1] == n.args[2] for n in outermost(*terms))
+    return empty or not names <= frozenset().union(*map(symbols, terms))
+
+
+def _terms(claim: str) -> list[Expr]:
+    """Return the sides of a claim without its conditions; none if it cannot be read."""
+    claim, _, given = claim.partition(" as ")[0].partition(" given ")
+    try:
+        return [term for link in parse_claim(claim, sequences_of(given)) for term in link[::2]]
+    except InputError:
+        return []
 
 
 def _beside_replaced(case: Case) -> list[str]:
@@ -283,6 +322,17 @@ def _is_solution(case: Case) -> bool:
     return case.row.link.solves is not None or case.row.why.startswith("it does not")
 
 
+def _is_case(case: Case) -> bool:
+    """Whether the text before it or behind it distinguishes cases."""
+    before, after = (prose.without_formulas(text) for text in case.row.link.around[:2])
+    return bool(_CASE.search(before[-MOST_BEFORE:]) or _OTHER_CASE.match(after))
+
+
+def _is_labelled(case: Case) -> bool:
+    """Whether a letter has a superscript 0 or 1, which is rarely a power."""
+    return bool(_LABEL.search(case.row.link.shown))
+
+
 def _is_of_decimals(case: Case) -> bool:
     return bool(re.search(r"\d\s*\.\s*\d", case.row.link.shown)) or "digits" in case.row.why
 
@@ -343,10 +393,26 @@ def _is_far(case: Case) -> bool:
 
 
 def _is_one_sided(case: Case) -> bool:
-    own, other = (symbols(side) for side in case.sides[::2])
-    if case.row.put:
-        return False  # a definition stands for one of them
-    return bool(case.names) and not (own <= other or other <= own) and elementary(*case.sides[::2])
+    own, other = _letters(case)
+    return not (own <= other or other <= own) and elementary(*case.sides[::2])
+
+
+def _letters(case: Case) -> tuple[set[str], set[str]]:
+    """Return the letters of both sides, with those of the definitions that stand for others."""
+    put = dict(case.row.put)
+    own, other = (
+        {*symbols(side)} - {*symbols(INFINITY), *put}
+        | {name for old in symbols(side) & put.keys() for name in symbols(put[old])}
+        for side in case.sides[::2]
+    )
+    return own, other
+
+
+def _is_of_other_letters(case: Case) -> bool:
+    """Whether one side has a letter that the other one lacks, but for a constant of integration,
+    and no formula beside it shows that its letters are read rightly."""
+    own, other = _letters(case)
+    return bool((own ^ other) - {"C", "c"}) and not (_beside(case) or _without_term(case))
 
 
 def _is_of_value(case: Case) -> bool:
@@ -368,6 +434,8 @@ DOUBTS = (
     Evidence("a condition may stand in the words around it", -1, _is_conditional),
     Evidence("the words around it set a task", -1, _is_set),
     Evidence("it may state several cases", -2, _is_several),
+    Evidence("it may hold in one of several cases", -2, _is_case),
+    Evidence("a superscript in it may be a label", -4, _is_labelled),
     Evidence("it may hold as a solution", -2, _is_solution),
     Evidence("its numbers may be rounded", -2, _is_of_decimals),
     Evidence("its numbers may have units", -2, _is_of_units),
@@ -380,6 +448,7 @@ DOUBTS = (
     Evidence("the letter in its differential may be another one", -2, _is_of_other_letter),
     Evidence("a condition from another section is used", -1, _is_far),
     Evidence("each side has letters of its own, as an equation has", -2, _is_one_sided),
+    Evidence("a letter is on one side only", -2, _is_of_other_letters),
     Evidence("one side has no letters, as in an equation to be solved", -2, _is_of_value),
     Evidence("the text may say for which values the bound is meant", -3, _is_bound),
     Evidence("a letter in it may be restricted", -2, _is_doubted),
@@ -395,11 +464,12 @@ def _is_mistake(case: Case) -> bool:
 
 
 def _is_of_integers(case: Case) -> bool:
-    """Whether it holds if the letters of indices are integers: cos(x + 2 pi n) = cos x."""
+    """Whether it holds if the letters of indices are positive integers: cos(x + 2 pi n) = cos x."""
     names = [name for name in sorted(case.names) if name in "nmkj"]
     if not names or not case.row.refuted or " as " in case.row.refuted:
         return False
-    asked = under_also(case.row.refuted, ", ".join(f"{name} integer" for name in names))
+    whole = ", ".join(f"{name} integer, {name} >= 1" for name in names)
+    asked = under_also(case.row.refuted, whole)
     try:
         return check_within(Task(asked), 2.0).verdict is not Verdict.REFUTED
     except InputError:
@@ -529,7 +599,7 @@ MEANT = (
         0,
         lambda c: _is_solution_of_some(c.row),
     ),
-    Evidence("it holds for integers, which its letters may be", 0, _is_of_integers),
+    Evidence("it holds for positive integers, which its letters may be", 0, _is_of_integers),
     Evidence("each sign may have a value of its own", 0, _is_of_each_sign),
     Evidence(
         "the integer may be rounded, as the decimals on the other side are",
