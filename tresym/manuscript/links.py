@@ -97,6 +97,9 @@ _ALONE = re.compile(
 """Titles of sections whose definitions end with them."""
 _PLUS_FIRST = re.compile(r"(?:\s|&|\\[ ,;:>!]|~|\\q?quad|\\begin\{\w+\*?\})*\+(?!\s*\\infty)")
 BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
+BETWEEN = 300
+"""The most characters between two displays of which the second may continue the first."""
+LOOSE = (UNREAD, "it begins with an equality sign; the last term before it is another value")
 FIRST = "compared with the first side of the chain, which is equal"
 
 
@@ -242,6 +245,9 @@ class _Reading(LinkReader):
         )
         self.memory.ahead = dict(self.defined_in(plainly))
         leads = self.continued(before) if groups and not groups[0][0].terms[0] else ()
+        loosely = not leads and bool(groups) and not groups[0][0].terms[0]
+        if loosely and len(before) < BETWEEN:
+            leads = self.last_term
         if leads:
             said, under = groups[0]
             terms = (
@@ -273,6 +279,9 @@ class _Reading(LinkReader):
                 for link in islice(found_links, int(bool(leads) and self.position == 0), None):
                     count += 1
                     firm = link.firm and not alone  # the condition of a later row may be meant
+                    if loosely and leads and count == 1:
+                        link = replace(link, same=False, goes_on=False, otherwise=LOOSE)
+                        firm = False
                     yield replace(link, number=count, firm=firm, multiplied=said.worked)
             for link in self.swallowed(blank, under, around):
                 count += 1
