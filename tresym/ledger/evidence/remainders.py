@@ -19,7 +19,7 @@ from tresym.ledger.evidence.sign_prover import is_manifest
 from tresym.ledger.formulas import Tending, in_trees, mapped, names_of, sides_of
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.domain.operation_domains import operations
-from tresym.reals.language.binders import elementary, ordered
+from tresym.reals.language.binders import ordered, outermost
 from tresym.reals.language.comparisons import terms
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -90,9 +90,13 @@ def solved_for_order(says: Any) -> Ordered | None:
     (node,) = orders
     mark = symbol("[order]")
     rest = replaced(says.left - says.right, {node: mark})
-    factor = collected(-differentiate(rest, str(mark))) if elementary(rest) else rest
+    inner = {e: symbol(f"[{n}]") for n, e in enumerate(dict.fromkeys(outermost(rest)))}
+    if any(str(mark) in symbols(e) for e in inner):
+        return None
+    factor = collected(-differentiate(replaced(rest, inner), str(mark)))
     if str(mark) in symbols(factor) or factor == ZERO:
         return None
+    factor = substitute(factor, {str(name): e for e, name in inner.items()})
     difference = substitute(rest, {str(mark): ZERO})
     return Ordered(difference, node.op, node.args[0] * factor)
 
