@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from sympy import Function, Le, Lt, Rational, Tuple, atan, exp, oo, pi, sqrt
+from sympy import Function, Le, Lt, Rational, Tuple, atan, exp, oo, pi, sqrt, symbols
 
 from tresym.ledger.claim import AllOf, Claim, Follows, equal, in_words
 from tresym.ledger.evidence.allowed_evidence import is_formal
@@ -25,12 +25,13 @@ from tresym.ledger.statements import (
     order,
 )
 from tresym.ledger.verification import verify
-from tresym.racket.notation import I1, I2, I3, M1, M2, E, a, b, epsilon0, epsilon_star, psi, theta
 from tresym.reals.verdict import Verdict
 from tresym.report.pages.templates import theorems
 
 CLAIMS = {claim.label: claim for claim in all_claims()}
 MOST_WORDS = 15
+NAMES = "I1 I2 I3 M1 M2 E a b epsilon0 epsilon_star psi theta"
+I1, I2, I3, M1, M2, E, a, b, epsilon0, epsilon_star, psi, theta = symbols(NAMES, real=True)
 
 
 def turned(part: Any) -> Any:

@@ -199,8 +199,8 @@ def test_a_claim_resting_on_a_refuted_one_is_undecided(ledger: Report) -> None:
     from tresym.ledger.claim import by
     from tresym.ledger.judge import judge, judge_evidence
     from tresym.ledger.reasons import substituting
-    from tresym.racket.notation import a, b
 
+    a, b = sympy.symbols("a b", real=True)
     wrong = Claim("wrong", equal(a, b), by())
     heir = Claim("heir", equal(a + 1, b + 1), by(substituting(wrong)))
     found = {"wrong": judge(wrong, {})}

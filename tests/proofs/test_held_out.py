@@ -11,18 +11,18 @@ from typing import Any
 import pytest
 from cases import cases
 from flint import fmpq
-from sympy import Function, Integer, Rational, exp, oo, sympify
+from sympy import Function, Integer, Rational, exp, oo, symbols, sympify
 
 from tresym.ledger.claim import Claim, saying
 from tresym.ledger.judge import judge_evidence
 from tresym.ledger.paper import all_claims
 from tresym.ledger.statements import As, Rounds
-from tresym.racket.notation import a, b, epsilon0, gamma
 from tresym.reals.numbers.exact import as_rational
 from tresym.reals.verdict import Verdict
 
 BY_LABEL = {claim.label: claim for claim in all_claims()}
 o = Function("o")
+a, b, epsilon0, gamma = symbols("a b epsilon0 gamma", real=True)
 quarter = a * b >= Rational(1, 4)
 
 CONSTANTS = cases(__file__, "CONSTANTS")

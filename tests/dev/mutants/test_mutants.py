@@ -28,12 +28,11 @@ from tresym.ledger.judge import judge
 from tresym.ledger.paper import all_claims
 from tresym.ledger.reasons import roots, substituting, trigonometry
 from tresym.ledger.statements import Rounds, order
-from tresym.racket.notation import a, b
 from tresym.reals.verdict import Verdict
 
 pytestmark = pytest.mark.slow
 
-x, y, t = (Symbol(name, real=True) for name in "xyt")
+x, y, t, a, b = (Symbol(name, real=True) for name in "xytab")
 
 
 SAMPLE = ("eq_gamma", "range_of_gamma", "d12", "unique_root", "contraction", "d54")

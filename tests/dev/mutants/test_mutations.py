@@ -24,9 +24,8 @@ from sympy import (
 from tresym.dev.mutants.mutations import mutations, of_relations
 from tresym.ledger.claim import equal
 from tresym.ledger.statements import TheRoot
-from tresym.racket.notation import a, b
 
-x, y, t = (Symbol(name, real=True) for name in "xyt")
+x, y, t, a, b = (Symbol(name, real=True) for name in "xytab")
 
 CHANGED = [
     (x + y, {x - y, y - x, x, y, 2 * x + y, x + 2 * y}),

@@ -53,13 +53,13 @@ from tresym.ledger.paper import all_claims
 from tresym.ledger.reasons import algebra, citing, roots, substituting
 from tresym.ledger.statements import Rounds, order
 from tresym.ledger.verification import Report
-from tresym.racket.notation import a, b, epsilon0
 from tresym.reals.balls.branch_and_bound import Bound, BoxProof, box
 from tresym.reals.balls.gradient import Gradient
 from tresym.reals.verdict import Verdict
 from tresym.report.pages.ledger_rows import report_json
 
-x, y = (Symbol(name, real=True) for name in "xy")
+x, y, a, b = (Symbol(name, real=True) for name in "xyab")
+epsilon0 = Symbol("epsilon0", real=True)
 O, o = Function("O"), Function("o")  # noqa: E741
 FALSE = equal(Integer(0), Integer(1))
 TRUE = Claim("true", equal(x + x, 2 * x), by())
