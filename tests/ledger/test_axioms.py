@@ -1,9 +1,15 @@
 """Quoted theorems: a claim lists its own and those of all that it rests on, each once."""
 
+from derivations import by
 from sympy import Symbol
 
 from tresym.ledger.axioms import RULES, Axiom
-from tresym.ledger.claim import Claim, Definition, all_of, by, equal
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+    all_of,
+    equal,
+)
 from tresym.ledger.finding import Finding
 from tresym.ledger.reasons import citing
 from tresym.ledger.verification import Report, Row

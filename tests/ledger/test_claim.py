@@ -3,6 +3,7 @@
 from dataclasses import FrozenInstanceError
 
 import pytest
+from derivations import by, derived, step
 from flint import fmpq
 from sympy import Derivative, Integer, Ne, Subs, Symbol, Tuple, sin
 
@@ -15,14 +16,12 @@ from tresym.ledger.claim import (
     Printed,
     all_of,
     at,
-    by,
     display,
     equal,
     equations,
     label_claims,
     line,
     parts_of,
-    step,
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.box_bounds import Boxes
@@ -30,7 +29,7 @@ from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import Premise
 from tresym.ledger.judge import judge
-from tresym.ledger.reasons import algebra, citing, substituting
+from tresym.ledger.reasons import algebra, citing, collecting, substituting
 from tresym.reals.verdict import Verdict
 
 x, y = (Symbol(name, real=True) for name in "xy")
@@ -44,9 +43,9 @@ A, B, C, D = (named(label) for label in "ABCD")
 RESTS = [
     (by(algebra), []),
     (by(substituting(A, B), citing(A)), [A, B]),
-    ((step(x, substituting(B)), step(y, citing(A))), [B, A]),
-    (Decided(steps=(by(substituting(A)), by(citing(B)))), [A, B]),
-    (ImplicitFunction(A, x, y, Integer(0), by(citing(C))), [A, C]),
+    (derived(step(x, substituting(B)), step(y, citing(A))), [B, A]),
+    (by(substituting(A), collecting(B)), [A, B]),
+    (ImplicitFunction(A, x, y, Integer(0), ()), [A]),
     (all_of(A, B), [A, B]),
     (Decided((A,)), [A]),
     (Definition(), []),
@@ -59,13 +58,13 @@ def test_every_kind_of_evidence_names_what_it_uses(proof: object, uses: list[Cla
 
 
 KINDS = [
-    (equal(x, y), by(), "identity", Verdict.PROVED),
-    (Tuple(x < y, equal(x, y)), by(), "identity", Verdict.PROVED),
-    (Tuple(x < y, y >= x), by(), "bound", Verdict.PROVED),
-    (x > y, by(), "bound", Verdict.PROVED),
-    (Ne(x, y), by(), "identity", Verdict.PROVED),
+    (equal(x, y), by(), "identity", Verdict.ENCLOSED),
+    (Tuple(x < y, equal(x, y)), by(), "identity", Verdict.ENCLOSED),
+    (Tuple(x < y, y >= x), by(), "bound", Verdict.ENCLOSED),
+    (x > y, by(), "bound", Verdict.ENCLOSED),
+    (Ne(x, y), by(), "identity", Verdict.ENCLOSED),
     ("x is y", all_of(A, B), "statement", Premise.DEFINED),
-    ("x is y", all_of(A, named("E", by())), "statement", Verdict.PROVED),
+    ("x is y", all_of(A, named("E", by())), "statement", Verdict.ENCLOSED),
     ("x is y", all_of(), "statement", Verdict.PROVED),
     ("x is y", Decided(), "statement", Verdict.ENCLOSED),
     ("x is 1", Printed(), "number", Verdict.ENCLOSED),
@@ -127,7 +126,7 @@ def test_a_claim_is_all_that_it_says_and_does_not_change() -> None:
 def test_a_definition_is_expected_to_be_one() -> None:
     assert (A.kind, A.expect) == ("definition", Premise.DEFINED)
     assert named("A", Definition("so it is")).expect is Premise.ASSUMED
-    assert named("A", by(algebra)).expect is Verdict.PROVED
+    assert named("A", by(algebra)).expect is Verdict.ENCLOSED
 
 
 def test_equations_are_not_evaluated() -> None:

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
+from derivations import by, derived, step
 from sympy import (
     Abs,
     Basic,
@@ -32,10 +33,8 @@ from tresym.ledger.claim import (
     Place,
     Root,
     all_of,
-    by,
     equal,
     parts_of,
-    step,
 )
 from tresym.ledger.counterexamples import scalars
 from tresym.ledger.definitions import captured, conflict, restrictions, table
@@ -151,7 +150,7 @@ def test_symbols_are_defined_once(claims: tuple[Claim, ...], ledger: Callable[..
     sides = [Eq(*part.args, evaluate=False).args[1] for part in (c.says for c in claims)]
     says = equal(*sides[:2])
     left = claims[0].says.args[0]
-    steps = (step(left, substituting(claims[0])), step(sides[1], substituting(claims[1])))
+    steps = derived(step(left, substituting(claims[0])), step(sides[1], substituting(claims[1])))
     for user in (
         Claim("user", says, steps, given=claims[1].given),
         Claim("user", says, Decided(claims), given=claims[1].given),
@@ -271,7 +270,7 @@ def test_a_definition_does_not_ask_for_itself() -> None:
     early = new("early", equal(x, y), x > 5)
     assert judged(early) is Verdict.UNDECIDED
     assert "in terms of itself" in judge(early, {}).why
-    user = Claim("user", x > 5, (step(x - 5),), given=(x > 5,))
+    user = Claim("user", x > 5, by(), given=(x > 5,))
     assert judged(user) is Verdict.PROVED
 
 
@@ -284,12 +283,12 @@ def test_an_equation_defines_nothing_that_is_not_assumed_by_name() -> None:
 
 def test_a_claim_is_not_proved_of_what_an_assumed_equation_excludes() -> None:
     four = new("four", equal(area(2 * t), 4), x > 0, assumes="x is 2")
-    steps = (step(area(2 * t), integrating(t**2)), step(None, substituting(four)))
+    steps = derived(step(area(2 * t), integrating(t**2)), step(None, substituting(four)))
     assert judged(Claim("user", equal(x**2, 4), steps, given=(x > 1,))) is Verdict.PROVED
     assert not judged(Claim("user", equal(x**2, 4), steps, given=(x > 5,))).holds
     for meaning, more in ((-(y**2) - 1, ()), (y, (new("less", equal(y, -ONE)),))):
         odd = new("odd", equal(area(2 * t), meaning), assumes="so I say")
-        steps = (
+        steps = derived(
             step(area(2 * t), integrating(t**2)),
             step(None, *map(substituting, (odd, *more))),
         )
@@ -311,7 +310,7 @@ def _planted() -> dict[str, Claim]:
     """What a bound on x = 1/2 would prove of every x that is bound, or that only looks like it."""
     positive, dummy = Symbol("x", positive=True), Dummy("x", real=True)
     below = _below_three()
-    twice = Claim("twice", Gt(4 - x, 0, evaluate=False), (step(4 - x, citing(below)),))
+    twice = Claim("twice", Gt(4 - x, 0, evaluate=False), by(citing(below)))
 
     def across(v: Symbol, bound: Claim = below) -> Claim:
         says = equal(Integral((3 - v) ** -2, (v, 0, 10)), -Rational(10, 21))
@@ -319,7 +318,7 @@ def _planted() -> dict[str, Claim]:
 
     def positive_area(v: Symbol, bound: Claim = below) -> Claim:
         says = Gt(Integral(4 - v, (v, 0, 100)), 0, evaluate=False)
-        return Claim("area", says, (step(says.lhs, citing(bound)),))
+        return Claim("area", says, by(citing(bound)))
 
     return {
         "under an integral": across(x),
@@ -334,18 +333,18 @@ def _planted() -> dict[str, Claim]:
         "by a new variable": Claim(
             "new",
             equal(Integral(1 / (3 - y) ** 2, (y, 0, 10)), -Rational(10, 21)),
-            (
+            derived(
                 step(Integral(1 / (3 - x) ** 2, (x, 0, 10)), changing_variable(y, below)),
                 step(None, integrating(1 / (3 - x), below)),
             ),
         ),
-        "beside it": Claim("by", Gt(1 - x, 0, evaluate=False), (step(1 - x, citing(below)),)),
+        "beside it": Claim("by", Gt(1 - x, 0, evaluate=False), by(citing(below))),
     }
 
 
 def _below_three() -> Claim:
     half = new("half", equal(x, Rational(1, 2)))
-    shown = (step(Rational(5, 2), substituting(half)),)
+    shown = derived(step(Rational(5, 2), substituting(half)))
     return Claim("below", Gt(3 - x, 0, evaluate=False), shown)
 
 
@@ -364,16 +363,16 @@ def _hidden() -> dict[str, Claim]:
     sign_of_x = new("sign of x", equal(z, 1), x > 0)
     return {
         "a derivative": Claim(
-            "d", equal(Derivative(y, x), y - x**2), (step(ZERO, differentiation), put_in)
+            "d", equal(Derivative(y, x), y - x**2), derived(step(ZERO, differentiation), put_in)
         ),
         "a value": Claim(
-            "v", equal(Subs(x * y, x, 5), 5 * x**2), (step(5 * y, evaluating), put_in)
+            "v", equal(Subs(x * y, x, 5), 5 * x**2), derived(step(5 * y, evaluating), put_in)
         ),
         "an integral": Claim("i", equal(Integral(y, (x, 0, 1)), x**2), (constant, put_in)),
         "a new variable": Claim(
             "n",
             equal(Integral(y, (x, 0, 1)), x**2),
-            (
+            derived(
                 step(Integral(y, (t, 0, 1)), changing_variable(x)),
                 step(y, integrating(y * t)),
                 put_in,
@@ -382,12 +381,12 @@ def _hidden() -> dict[str, Claim]:
         "two definitions": Claim(
             "t",
             equal(Derivative(z, x), z - x**4),
-            (step(ZERO, differentiation), step(None, substituting(fourth, square))),
+            derived(step(ZERO, differentiation), step(None, substituting(fourth, square))),
         ),
         "a condition": Claim(
             "c",
             equal(Integral(z, (x, -1, 1)), 2),
-            (step(2 * z, integrating(z * x)), step(None, substituting(sign_of_x))),
+            derived(step(2 * z, integrating(z * x)), step(None, substituting(sign_of_x))),
             given=(x > 0,),
         ),
     }
@@ -433,7 +432,7 @@ def test_what_is_defined_is_not_generalised() -> None:
     left, slope = x**2 - y, Symbol("r", real=True)
     at_one = left.xreplace({y: ONE})
     says = equal(slope, -Subs(Derivative(left, y), y, 1) / Derivative(at_one, x))
-    proof = ImplicitFunction(level, x, y, ONE, (step(2 * x, differentiation),))
+    proof = ImplicitFunction(level, x, y, ONE, ())
     user = Claim("user", says, proof, given=(x > 0,))
     assert judged(user) is Verdict.UNDECIDED
     assert captured(user) == "y is defined by square, so it must not be used as a bound variable"
@@ -523,7 +522,7 @@ def finding(claim: Claim) -> Finding:
 def test_a_symbol_may_name_the_one_root() -> None:
     assert finding(FROM_Z).verdict is Verdict.PROVED
     assert finding(ROOT).verdict is Premise.DEFINED
-    bounded = Claim("y > 0", y + 1 > 0, (step(y + 1, citing(ROOT)),), given=POSITIVE)
+    bounded = Claim("y > 0", y + 1 > 0, by(citing(ROOT)), given=POSITIVE)
     assert finding(bounded).verdict is Verdict.PROVED
 
 

@@ -4,6 +4,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from derivations import by
 from planted_claims import EVERYTHING, claim, r, t, verdict, x, y
 from sympy import (
     Derivative,
@@ -18,13 +19,7 @@ from sympy import (
     tanh,
 )
 
-from tresym.ledger.claim import (
-    Claim,
-    ImplicitFunction,
-    by,
-    equal,
-    step,
-)
+from tresym.ledger.claim import Claim, ImplicitFunction, equal
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
@@ -79,7 +74,7 @@ def test_what_hangs_on_a_variable_is_not_taken_for_a_constant() -> None:
         equal(Derivative(Subs(Integral(t * y, (t, 0, 1)), y, x), x), 0),
         equal(Subs(area, x, 0), area),
     ):
-        assert verdict(claim(says, by(*EVERYTHING, differentiation))) is Verdict.REFUTED
+        assert not verdict(claim(says, by(*EVERYTHING, differentiation))).holds
     free = equal(Derivative(x * Integral(y, (y, 0, 1)), x), Integral(y, (y, 0, 1)))
     assert verdict(claim(free, by(differentiation))) is Verdict.PROVED
 
@@ -101,7 +96,7 @@ def slope_of(left: Any, right: Any, slope: Any, *given: Any, **changes: Any) -> 
     """y is a function of x by left = right; what is claimed of its slope r at x = 0."""
     equation = Claim("equation", equal(left, right), by(), given=given)
     says = -Subs(Derivative(left, x), x, 0) / Derivative(left.subs(x, 0), y)
-    proof = ImplicitFunction(equation, y, x, Integer(0), (step(slope, differentiation),))
+    proof = ImplicitFunction(equation, y, x, Integer(0), ())
     planted = Claim("slope", equal(r, says), proof, given=given)
     return judge(replace(planted, **changes), {"equation": Finding(Verdict.PROVED, "")})
 
@@ -122,8 +117,8 @@ def test_the_slope_of_a_cubic() -> None:
     [
         (CUBIC, 2 + x, 3 * y**2 + 1, (), "must not depend on the unknown"),
         (CUBIC, 2 * y, 3 * y**2 + 1, (), "must not depend on the unknown"),
-        (y**3 - 3 * y + x * y, -2, 3 * y**2 - 3, (), "could not show the sign"),
-        (y**2 + x * y, 1, 2 * y, (), "could not show the sign"),
+        (y**3 - 3 * y + x * y, -2, 3 * y**2 - 3, (), "is not 0: both sides are equal at"),
+        (y**2 + x * y, 1, 2 * y, (), "is not 0: both sides are equal at"),
         (CUBIC, 2, 3 * y**2 + 1, (y > 5,), "no point"),
         (y + exp(x * y), 1, S.One, (y > 5,), "no point"),
     ],

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import pytest
+from derivations import by, derived, manifest, step
 from planted_claims import EVERYTHING, a, b, claim, t, verdict, x, y
 from sympy import (
     Gt,
@@ -18,14 +19,7 @@ from sympy import (
     sqrt,
 )
 
-from tresym.ledger.claim import (
-    Claim,
-    Definition,
-    by,
-    equal,
-    manifest,
-    step,
-)
+from tresym.ledger.claim import Claim, Definition, equal
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
@@ -65,7 +59,7 @@ def test_unsatisfiable_conditions_prove_nothing() -> None:
 def test_conditions_may_hold_at_a_point_alone() -> None:
     """At x = 0, where the condition holds too, the equation says 1 = −1."""
     says = equal(sqrt(x**2 - 2 * x + 1), x - 1)
-    proof = (step(x - 1, roots),)
+    proof = derived(step(x - 1, roots))
     assert verdict(claim(says, proof, (x**2 * (x - 1) >= 0,))) is Verdict.UNDECIDED
     assert verdict(claim(says, proof, (x**2 * (x - 1) >= 0, x > 0))) is Verdict.PROVED
 
@@ -108,13 +102,13 @@ def test_a_definition_that_contradicts_a_condition_proves_nothing() -> None:
 
 def test_a_condition_against_a_definition_or_a_cited_bound_proves_nothing() -> None:
     half = Claim("half", equal(x, Rational(1, 2)), Definition())
-    proof = (step(Rational(1, 2), substituting(half)),)
+    proof = derived(step(Rational(1, 2), substituting(half)))
     bound = Claim("bound", Gt(1 - x, 0, evaluate=False), proof)
     held = {"half": judge(half, {})}
     held["bound"] = judge(bound, held)
     assert held["bound"].verdict is Verdict.PROVED
     says = Gt(1 - x, 0, evaluate=False)
-    steps = (step(1 - x, citing(bound)),)
+    steps = derived(step(1 - x, citing(bound)))
     assert not judge(Claim("user", says, steps, given=(x > 5,)), held).verdict.holds
     third = Claim("third", equal(y, x + 1), by(substituting(half)))
     held["third"] = Finding(Verdict.PROVED, "assumed")

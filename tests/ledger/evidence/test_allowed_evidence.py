@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from cases import cases
+from derivations import by
 from flint import arb, fmpq
 from sympy import (
     Abs,
@@ -38,7 +39,6 @@ from tresym.ledger.claim import (
     Definition,
     Printed,
     all_of,
-    by,
     equal,
 )
 from tresym.ledger.evidence import box_bounds as bounds

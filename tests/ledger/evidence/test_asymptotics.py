@@ -4,9 +4,10 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from derivations import by
 from sympy import Function, Integer, Rational, Symbol, Tuple, exp, oo, sin, sqrt
 
-from tresym.ledger.claim import Claim, Root, by, equal
+from tresym.ledger.claim import Claim, Root, equal
 from tresym.ledger.evidence import asymptotics
 from tresym.ledger.evidence.allowed_evidence import is_formal
 from tresym.ledger.evidence.asymptotics import Asymptotics, ordered, t

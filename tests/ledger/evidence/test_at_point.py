@@ -1,11 +1,17 @@
 """Values of defined symbols at exact points."""
 
 import pytest
+from derivations import by
 from flint import arb, fmpq
 from sympy import Symbol
 from tresym.proofs import near, separatrix
 
-from tresym.ledger.claim import Claim, Counterexample, Definition, by, equal
+from tresym.ledger.claim import (
+    Claim,
+    Counterexample,
+    Definition,
+    equal,
+)
 from tresym.ledger.evidence.at_point import place_of
 from tresym.ledger.judge import judge_evidence
 from tresym.ledger.statements import AtMostOne, TheRoot

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import Any
 
+from derivations import by, manifest
 from planted_claims import claim, judged, x, y
 from planted_claims import verdict_on as verdict
 from sympy import (
@@ -31,12 +32,10 @@ from tresym.ledger.claim import (
     RootMonotone,
     all_of,
     at,
-    by,
     equal,
     follows,
     in_words,
     jointly,
-    manifest,
 )
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.judge import judge

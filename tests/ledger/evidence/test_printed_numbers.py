@@ -4,6 +4,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from derivations import by, derived, step
 from flint import arb, fmpq
 from sympy import Basic, Expr, Integer, Integral, Symbol, Tuple, cos, pi, sin, sqrt
 
@@ -13,9 +14,7 @@ from tresym.ledger.claim import (
     Monotone,
     Printed,
     Root,
-    by,
     equal,
-    step,
 )
 from tresym.ledger.evidence import printed_numbers as checker
 from tresym.ledger.evidence.decided import Decided
@@ -222,7 +221,7 @@ NAMED = Claim("named", Root(z, CUBIC).says, Root(z, CUBIC), given=(x > 0,))
 AT_MOST = Claim(
     "at most",
     "one root at most",
-    Monotone((step(3 * y**2 + 1),)),
+    Monotone(derived(step(3 * y**2 + 1))),
     means=AtMostOne(y, ZERO, 3, equal(y**3 + y, x)),
     given=(x > 0,),
 )
@@ -230,7 +229,7 @@ WAY = Integral(1 / sqrt(p + q**2), (q, 0, y))
 LONGER = Claim(
     "longer",
     "a longer way",
-    Monotone((step(1 / sqrt(p + y**2), differentiating_integral(ZERO)),)),
+    Monotone(derived(step(1 / sqrt(p + y**2), differentiating_integral(ZERO)))),
     means=AtMostOne(y, ZERO, 100, equal(WAY, x)),
     given=(p > 0,),
 )
@@ -319,7 +318,7 @@ class _Anything(dict[Any, Any]):
     ],
 )
 def test_one_root_at_most_is_shown_by_a_rise(means: Basic, slope: Expr) -> None:
-    claim = Claim("m", "at most one", Monotone((step(slope),)), means=means, given=(x > 0,))
+    claim = Claim("m", "at most one", Monotone(derived(step(slope))), means=means, given=(x > 0,))
     assert verdict(claim) is UNDECIDED
 
 

@@ -1,9 +1,10 @@
 """What a point denies, and that a denial is worth what the claims it rests on are worth."""
 
+from derivations import by
 from flint import fmpq
 from sympy import Equivalent, Symbol, Tuple, sqrt
 
-from tresym.ledger.claim import Claim, by, equal
+from tresym.ledger.claim import Claim, equal
 from tresym.ledger.evidence.at_point import place_of
 from tresym.ledger.evidence.refutation import Denied, denied_at, denied_somewhere, not_denied
 from tresym.ledger.judge import judge

@@ -4,9 +4,10 @@ import re
 from collections.abc import Callable
 
 import pytest
+from derivations import by
 from sympy import Symbol
 
-from tresym.ledger.claim import Claim, by, equal
+from tresym.ledger.claim import Claim, equal
 from tresym.ledger.definitions import table
 from tresym.ledger.finding import Premise
 from tresym.ledger.paper import all_claims

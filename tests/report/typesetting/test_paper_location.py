@@ -1,8 +1,9 @@
 """Places in the paper: sections and equations as the journal counts them."""
 
 import pytest
+from derivations import by
 
-from tresym.ledger.claim import Claim, Place, by, equal
+from tresym.ledger.claim import Claim, Place, equal
 from tresym.ledger.paper import all_claims, index
 from tresym.report.typesetting.paper_location import place_text
 

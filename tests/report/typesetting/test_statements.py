@@ -8,11 +8,17 @@ from io import StringIO
 from pathlib import Path
 
 import pytest
+from derivations import by
 from sympy import Symbol
 
 import tresym
 from tresym.commands.verify import show_verification
-from tresym.ledger.claim import AllOf, Claim, all_of, by, equal
+from tresym.ledger.claim import (
+    AllOf,
+    Claim,
+    all_of,
+    equal,
+)
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import Report
 from tresym.report.pages import fragments
