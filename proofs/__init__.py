@@ -117,7 +117,7 @@ def _notation() -> Notation:
     from tresym.racket import notation as own
 
     return Notation(
-        own.LATEX, own.WORDS, own.WORDS_OF_PROOFS, alike=(own.a, own.b), first=(own.theta,)
+        own.LATEX, own.WORDS, own.WORDS_OF_PROOFS, alike=(own.a, own.b), first=("theta",)
     )
 
 

@@ -44,18 +44,18 @@ class Notation(NamedTuple):
     """How the symbols of a paper are written.
 
     Attributes:
-        latex: the LaTeX of a symbol whose name does not say it.
+        latex: the LaTeX of a symbol whose name does not say it, by its name.
         words: what a symbol is, in words, by its name; ``words_of_proofs`` are those that only
             proofs use.
         alike: two symbols that are easily confused, which false variants exchange.
-        first: symbols whose functions stand first in a product.
+        first: names of symbols whose functions stand first in a product.
     """
 
-    latex: Mapping[Symbol, str] = {}
+    latex: Mapping[str, str] = {}
     words: Mapping[str, str] = {}
     words_of_proofs: Mapping[str, str] = {}
     alike: tuple[Symbol, ...] = ()
-    first: tuple[Symbol, ...] = ()
+    first: tuple[str, ...] = ()
 
 
 def _nothing() -> Any:

@@ -7,7 +7,7 @@ says how it is written.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from html import unescape
 
 from tresym.reals.functions.table import CONSTANTS, TABLE, names, upright, written_after
@@ -17,10 +17,12 @@ from tresym.reals.language.expression import (
     HALF,
     ONE,
     Expr,
+    factors_in,
     instantiate,
     number,
     opened,
     orders_last,
+    symbol,
     symbols,
 )
 from tresym.reals.language.formula import Compared
@@ -94,7 +96,7 @@ MATHML: Mapping[str, str] = {
     "O": "<mi>O</mi>", "o": "<mi>o</mi>", "Theta": "<mi>Θ</mi>", "omega": "<mi>ω</mi>",
 }  # fmt: skip
 
-_RAISED = names(lambda row: row.family in ("trigonometric", "hyperbolic"))
+RAISED = names(lambda row: row.family in ("trigonometric", "hyperbolic"))
 """Functions whose exponent stands at the name: sin²(x)."""
 _SLOPE = re.compile(r"(d|partial)(\d?)([A-Za-z]\w*?)_(?:d|partial)([A-Za-z]\w*?)\2")
 _PRIMED = re.compile(r"(\w+?)_prime(\d?)")
@@ -113,25 +115,35 @@ def to_latex(comparisons: Iterable[Compared], upright: bool = False) -> str:
         comparisons: the comparisons.
         upright: whether the base of exponentials is an upright e, because e may be a variable.
     """
-    return _Printer(UPRIGHT if upright else LATEX).chain(comparisons)
+    return Printer(UPRIGHT if upright else LATEX).chain(comparisons)
 
 
 def to_mathml(comparisons: Iterable[Compared], block: bool = True) -> str:
     """Return comparisons in MathML, as a formula of its own or in the line."""
     start = '<math display="block">' if block else "<math>"
-    return f"{start}{_Printer(MATHML).chain(comparisons)}</math>"
+    return f"{start}{Printer(MATHML).chain(comparisons)}</math>"
 
 
-class _Printer:
-    """The walk over a tree with the templates of one language."""
+class Printer:
+    """The walk over a tree with the templates of one language.
+
+    A subclass may have an order of terms and factors of its own, and ways to write powers, functions
+    and names.
+    """
+
+    enclosing: Container[str] = ("root",)
+    """Binders whose signs enclose the body, so that a sum needs no brackets."""
 
     def __init__(self, templates: Mapping[str, str]) -> None:
+        """Take the templates of a language."""
         self.templates = templates
 
     def put(self, template: str, *args: str, **named: str) -> str:
+        """Fill in a template."""
         return self.templates[template].format(*args, **named)
 
     def chain(self, comparisons: Iterable[Compared]) -> str:
+        """Comparisons, where one goes on from the one before it."""
         text = ""
         last: tuple[Expr | None, str] = (None, "")
         for left, relation, right in comparisons:
@@ -152,6 +164,7 @@ class _Printer:
         return text if strength >= around else self.bracketed(text)
 
     def bracketed(self, text: str) -> str:
+        """A formula in brackets."""
         tall = "tall" in self.templates and (r"\frac" in text or r"\int" in text)
         return self.put("tall" if tall else "brackets", text)
 
@@ -180,7 +193,7 @@ class _Printer:
             case "exp" if e.args[0] == ONE:
                 return self.put("e"), ATOM
             case "exp":
-                return self.put("power", self.put("e"), self.shown(e.args[0])), POWER
+                return self.exponential(e.args[0])
             case "abs" | "cbrt":
                 return self.put(e.op, self.shown(e.args[0])), ATOM
         if e.op == "root":
@@ -189,37 +202,40 @@ class _Printer:
             return self.put(e.op, *map(self.shown, e.args)), ATOM
         return (self.binder(e), SUM) if e.names else (self.applied(e), ATOM)
 
+    def exponential(self, exponent: Expr) -> tuple[str, int]:
+        """The power of e, and how strongly it binds."""
+        return self.put("power", self.put("e"), self.exponent(exponent)), POWER
+
     def sum(self, e: Expr) -> str:
         """Terms with their signs; a positive one comes first: 1 − x."""
-        terms = orders_last(e.args)
-        if terms is e.args and _is_negative(terms[0]):
-            terms = tuple(sorted(terms, key=_is_negative))
+        terms = self.terms(e.args)
         text = self.shown(terms[0])
         for term in terms[1:]:
-            sign, shown = ("minus", _opposite(term)) if _is_negative(term) else ("plus", term)
+            sign, shown = ("minus", opposite(term)) if is_negative(term) else ("plus", term)
             text += self.put(sign) + self.shown(shown, PRODUCT if sign == "minus" else SUM)
         return text
 
+    def terms(self, terms: tuple[Expr, ...]) -> tuple[Expr, ...]:
+        """The terms in the order of print."""
+        found = orders_last(terms)
+        if found is terms and is_negative(terms[0]):
+            found = tuple(sorted(terms, key=is_negative))
+        return found
+
     def product(self, e: Expr) -> str:
         """Factors above and below one bar, with a sign before it."""
-        if _is_negative(e):
-            return self.put("negative") + self.shown(_opposite(e), PRODUCT)
-        above: list[Expr] = []
-        below: list[Expr] = []
-        for f in e.args:
-            if f.op == "number":
-                p, q = (number(int(x)) for x in (f.args[0].p, f.args[0].q))
-                above += [p] if p != ONE else []
-                below += [q] if q != ONE else []
-            elif f.op == "^" and f.args[1].op == "number" and f.args[1].args[0] < 0:
-                below.append(_reciprocal(f))
-            else:
-                above.append(f)
+        if is_negative(e):
+            return self.put("negative") + self.shown(opposite(e), PRODUCT)
+        return self.over(*fraction(e))
+
+    def over(self, above: list[Expr], below: list[Expr]) -> str:
+        """Factors over others."""
         if not below:
             return self.factors(above)
         return self.put("fraction", self.factors(above), self.factors(below))
 
     def factors(self, factors: list[Expr]) -> str:
+        """A product without a fraction; without factors it is 1."""
         if len(factors) < 2:
             return self.shown(factors[0] if factors else ONE)
         text = self.shown(factors[0], PRODUCT)
@@ -229,18 +245,28 @@ class _Printer:
         return text
 
     def raised(self, base: Expr, exponent: Expr) -> tuple[str, int]:
+        """A power, a root or a fraction, and how strongly it binds."""
         if exponent.op == "number" and exponent.args[0] < 0:
-            below = self.shown(_reciprocal(Expr("^", (base, exponent))))
+            below = self.shown(reciprocal(Expr("^", (base, exponent))))
             return self.put("fraction", self.put("number", "1"), below), PRODUCT
         if exponent == HALF:
             return self.put("sqrt", self.shown(base)), ATOM
-        shown = self.shown(exponent)
-        if base.op in _RAISED:
-            name, argument = self.put(base.op), self.shown(base.args[0])
-            return self.put("power", name, shown) + self.bracketed(argument), POWER
+        shown = self.exponent(exponent)
+        if base.op in RAISED:
+            name = self.put("power", self.put(base.op), shown)
+            return self.called(base.op, name, base.args), POWER
         return self.put("power", self.shown(base, ATOM), shown), POWER
 
+    def exponent(self, e: Expr) -> str:
+        """What stands raised."""
+        return self.shown(e)
+
+    def called(self, op: str, head: str, args: tuple[Expr, ...]) -> str:
+        """A function, whose name is written, at its arguments."""
+        return head + self.bracketed(self.put("comma").join(map(self.shown, args)))
+
     def applied(self, e: Expr) -> str:
+        """A function, or a constant."""
         args = e.args
         if e.op == "unknown":
             (name, orders), args = e.args[0].args, e.args[1:]
@@ -255,7 +281,7 @@ class _Printer:
                 return head
             if e.op in TABLE and TABLE[e.op].subscripted:
                 head, args = self.put("index", head, self.shown(args[0])), args[1:]
-        return head + self.bracketed(self.put("comma").join(map(self.shown, args)))
+        return self.called(e.op, head, args)
 
     def binder(self, e: Expr) -> str:
         """Integrals, sums, products, limits, derivatives and values at a place."""
@@ -265,7 +291,9 @@ class _Printer:
         if e.op in ("derivative", "nth"):
             return self.derivative(e)
         names, body = opened(e)
-        around = SUM if e.op == "root" else PRODUCT
+        if e.op == "at" and symbols(e.args[0]).isdisjoint(e.names):  # as in x = x + 1
+            names, body = e.names, instantiate(e.args[0], tuple(map(symbol, e.names)))
+        around = SUM if e.op in self.enclosing else PRODUCT
         inner, ends = self.shown(body, around), [self.shown(arg) for arg in e.args[1:]]
         if e.op == "at":
             return self.at(inner, names, ends)
@@ -274,6 +302,7 @@ class _Printer:
         return self.put(e.op, x=self.name(names[0]), **named)
 
     def at(self, body: str, names: Iterable[str], ends: Iterable[str]) -> str:
+        """What was written, at values of its variables."""
         pairs = (self.put("pair", self.name(x), y) for x, y in zip(names, ends, strict=True))
         return self.put("at", body=body, place=self.put("comma").join(pairs))
 
@@ -290,8 +319,12 @@ class _Printer:
         slope = self.slope(
             self.put("d"), "", self.shown(place) if times else self.name(name), order
         )
-        shown = self.put("of", slope, self.shown(body if times else inside, PRODUCT))
+        shown = self.put("of", slope, self.differentiated(body if times else inside))
         return shown if times else self.at(shown, (name,), (self.shown(place),))
+
+    def differentiated(self, e: Expr) -> str:
+        """What stands behind the sign of a derivative."""
+        return self.shown(e, PRODUCT)
 
     def slope(self, d: str, above: str, below: str, order: str) -> str:
         """A derivative as a fraction of differentials."""
@@ -315,6 +348,8 @@ class _Printer:
     def letter(self, name: str, template: str) -> str:
         """A Greek letter by its name, and any other name as it is."""
         name = "epsilon" if name == "eps" else name
+        if name == "pi":
+            return self.put(name)
         if name not in GREEK:
             return self.put(template, name)
         return (
@@ -322,12 +357,29 @@ class _Printer:
         )
 
 
-def _is_negative(e: Expr) -> bool:
+def fraction(e: Expr) -> tuple[list[Expr], list[Expr]]:
+    """Return the factors above and below the bar of a product."""
+    above: list[Expr] = []
+    below: list[Expr] = []
+    for f in factors_in(e):
+        if f.op == "number":
+            p, q = (number(int(x)) for x in (f.args[0].p, f.args[0].q))
+            above += [p] if p != ONE else []
+            below += [q] if q != ONE else []
+        elif f.op == "^" and f.args[1].op == "number" and f.args[1].args[0] < 0:
+            below.append(reciprocal(f))
+        else:
+            above.append(f)
+    return above, below
+
+
+def is_negative(e: Expr) -> bool:
+    """Return whether a number or a product is written with a minus sign."""
     first = e.args[0] if e.op == "*" else e
     return bool(first.op == "number" and first.args[0] < 0)
 
 
-def _opposite(e: Expr) -> Expr:
+def opposite(e: Expr) -> Expr:
     """Return a negative number or product without its sign, its factors in the order they have."""
     if e.op != "*":
         return -e
@@ -338,7 +390,7 @@ def _opposite(e: Expr) -> Expr:
     return Expr("*", (size, *rest))
 
 
-def _reciprocal(e: Expr) -> Expr:
+def reciprocal(e: Expr) -> Expr:
     """Return one divided by a power with a negative exponent, its base in the form it has."""
     base, exponent = e.args
     return base if exponent == number(-1) else Expr("^", (base, -exponent))
@@ -346,7 +398,7 @@ def _reciprocal(e: Expr) -> Expr:
 
 def expression_in_mathml(e: Expr) -> str:
     """Return an expression in MathML, in the line."""
-    return f"<math>{_Printer(MATHML).shown(e)}</math>"
+    return f"<math>{Printer(MATHML).shown(e)}</math>"
 
 
 def expression_in_latex(e: Expr, upright: bool = False) -> str:
@@ -357,4 +409,4 @@ def expression_in_latex(e: Expr, upright: bool = False) -> str:
         >>> expression_in_latex(parse("x/2"))
         '\\frac{x}{2}'
     """
-    return _Printer(UPRIGHT if upright else LATEX).shown(e)
+    return Printer(UPRIGHT if upright else LATEX).shown(e)

@@ -10,7 +10,7 @@ from tresym.ledger.verification import JSON_VERSION, Report, Row
 from tresym.reals.numbers.exact import fraction_text
 from tresym.report.pages import coq_page
 from tresym.report.typesetting.conditions import gathered
-from tresym.report.typesetting.latex import given_latex, says_latex
+from tresym.report.typesetting.latex import says_latex
 
 
 def report_json(report: Report) -> dict[str, Any]:
@@ -65,7 +65,7 @@ def _row_json(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
         "means": None if claim.statement is None else says_latex(claim.statement),
         "sympy": None if claim.statement is None else str(claim.statement),
         "formal": is_formal(claim),
-        "given": [given_latex(condition) for condition in claim.given],
+        "given": [says_latex(condition) for condition in claim.given],
         "expect": claim.expect.value,
         "steps": [
             {"verdict": s.verdict.value, "why": s.why, "seconds": round(s.seconds, 6)}

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from sympy import Symbol
-
 from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Root
 from tresym.ledger.definitions import Entry, table
 from tresym.ledger.finding import Premise
+from tresym.ledger.formulas import in_trees, names_of
 from tresym.ledger.paper import all_claims, racket
 from tresym.ledger.verification import Report
+from tresym.reals.language.expression import symbol
 from tresym.report.typesetting.conditions import gathered
 from tresym.report.typesetting.latex import expression_latex, says_latex
 from tresym.report.typesetting.line_breaking import broken
@@ -42,7 +42,7 @@ class Row:
         self.entry = entry
         self.words = racket().written.words.get(name, "")
         self.own = racket().written.words_of_proofs.get(name, "")
-        self.symbol = expression_latex(Symbol(name, real=True))
+        self.symbol = expression_latex(symbol(name))
 
     @property
     def meaning(self) -> str:
@@ -53,7 +53,7 @@ class Row:
         if isinstance(claim.proof, Root):
             return says_latex(claim.says)
         if claim.shown is None:
-            return expression_latex(self.entry.written.rhs)
+            return expression_latex(self.entry.meaning)
         own = [p for p in claim.shown.split(r",\quad ") if p.startswith(f"{self.symbol} = ")]
         return own[0].partition(" = ")[2] if own else claim.shown
 
@@ -77,7 +77,7 @@ def rows() -> tuple[Row, ...]:
     claims = [c for c in all_claims() if not _assumed(c)]
     entries: dict[str, list[Entry]] = {}
     for entry in table(claims):
-        entries.setdefault(str(entry.written.lhs), []).append(entry)
+        entries.setdefault(str(entry.symbol), []).append(entry)
     own = racket().written
     names = dict.fromkeys((*own.words, *own.words_of_proofs, *entries))
     return tuple(Row(name, entry) for name in names for entry in entries.get(name, [None]))
@@ -158,12 +158,8 @@ def _cells(*cells: str) -> str:
 
 def used(claim: Claim) -> list[str]:
     """Return the names of the symbols that a claim uses, in its formulas or in its sentence."""
-    in_formulas = {
-        symbol.name
-        for e in (claim.statement, *claim.given)
-        for symbol in (e.free_symbols if e is not None else ())
-        if isinstance(symbol, Symbol)
-    }
+    stated = () if claim.statement is None else (claim.statement,)
+    in_formulas = names_of(*map(in_trees, (*stated, *claim.given)))
     words = said(claim).says or ""
     return [name for name in _patterns() if name in in_formulas or _patterns()[name].search(words)]
 

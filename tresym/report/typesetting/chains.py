@@ -6,22 +6,23 @@ The article and the site typeset the same lines, each in its own format.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
-
-from sympy import Basic, Eq, Equivalent, Tuple
-from sympy.core.relational import Relational
+from typing import Any, NamedTuple
 
 from tresym.ledger.claim import Chain, Claim, Reason, Step, chains_of
 from tresym.ledger.evidence.decided import Decided
+from tresym.ledger.formulas import EqualMatrices, in_trees, is_bound, is_equation, parts_of
 from tresym.reals.functions.table import TABLE, upright
-from tresym.report.typesetting.latex import bracketed, expression_latex, says_latex
+from tresym.reals.language.compound import Equivalent
+from tresym.reals.language.expression import ZERO
+from tresym.reals.language.formula import Relation
+from tresym.report.typesetting.latex import bracketed, expression_latex, matrix_latex, says_latex
 
 EQUIVALENT = r"\iff{}"
 """The left part of a line that is equivalent to the line before."""
 
 _SIGN = "by the sign prover"
 _VERBS = {"substituting": "by", "citing": "since"}
-_STRICT = {">": ">", ">=": r"\ge", "<": "<", "<=": r"\le"}
+_SIGNS = {">": ">", ">=": r"\ge", "<": "<", "<=": r"\le", "!=": r"\ne"}
 
 
 class Because(NamedTuple):
@@ -61,8 +62,8 @@ def _shown(claim: Claim) -> tuple[Display, ...]:
         return ()
     if isinstance(proof, tuple):
         return tuple(_lines(part, chain) for part, chain in chains_of(says, proof))
-    parts = says.args if isinstance(says, Tuple) else (says,)
-    derived = all(isinstance(part, Relational | Equivalent) for part in parts)
+    parts = parts_of(in_trees(says))
+    derived = all(isinstance(p, Relation | EqualMatrices | Equivalent) for p in parts)
     if isinstance(proof, Decided) and proof.chains and derived:
         one_each = len(proof.chains) == len(parts)
         chains = proof.chains if one_each else proof.chains * len(parts)
@@ -70,28 +71,34 @@ def _shown(claim: Claim) -> tuple[Display, ...]:
     return tuple((Line("", says_latex(part)),) for part in parts)
 
 
-def _lines(says: Basic, chain: Chain) -> Display:
+def _lines(says: Any, chain: Chain) -> Display:
     """A chain as in a textbook: each expression in a line, with its reason at the right."""
+    says = in_trees(says)
     if isinstance(says, Equivalent):
         return tuple(_equivalence(says, chain))
-    sign = _STRICT.get(getattr(says, "rel_op", ""))
-    if sign is not None:
+    if is_bound(says):
+        sign, up = _SIGNS[says.sign], says.upward
         if chain[0].expression is None:
             return (Line("", says_latex(says), _reasons(chain[0], _SIGN)),)
         if chain[-1].expression is None:  # both sides as they were written, the sign at the end
-            last = Line("", f"{sign} {expression_latex(says.rhs)}", _reasons(chain[-1]))
-            return (*_equations(expression_latex(says.lhs), chain[:-1], None), last)
-        difference = expression_latex(says.gts - says.lts)
-        end = " > 0" if sign in "<>" else r" \ge 0"
-        return tuple(_equations(difference, chain, None, end))
-    goal = says.rhs if isinstance(says, Eq) else None
-    return tuple(_equations(expression_latex(says.lhs), chain, goal))
+            last = Line("", f"{sign} {expression_latex(says.right)}", _reasons(chain[-1]))
+            return (*_equations(expression_latex(says.left), chain[:-1], ""), last)
+        difference = expression_latex(up.left if up.right == ZERO else up.left - up.right)
+        return tuple(_equations(difference, chain, "", f" {_SIGNS[up.sign]} 0"))
+    goal = _written(says.right) if is_equation(says) else ""
+    return tuple(_equations(_written(says.left), chain, goal))
 
 
-def _equations(start: str, chain: Chain, goal: Basic | None, sign: str = "") -> Iterator[Line]:
+def _written(side: Any) -> str:
+    """One side of an equation: an expression, or the rows of a matrix."""
+    if hasattr(side, "tolist"):
+        side = tuple(tuple(map(in_trees, row)) for row in side.tolist())
+    return matrix_latex(side) if isinstance(side, tuple) else expression_latex(side)
+
+
+def _equations(start: str, chain: Chain, goal: str, sign: str = "") -> Iterator[Line]:
     for n, link in enumerate(chain):
-        expression = goal if link.expression is None else link.expression
-        shown = "" if expression is None else expression_latex(expression)
+        shown = goal if link.expression is None else _written(link.expression)
         end = sign if n == len(chain) - 1 else ""
         if n == 0 and shown == start:
             yield Line(start, end.strip(), _reasons(link))
@@ -100,8 +107,9 @@ def _equations(start: str, chain: Chain, goal: Basic | None, sign: str = "") -> 
 
 
 def _equivalence(says: Equivalent, chain: Chain) -> Iterator[Line]:
-    first, second = says.args
-    yield Line("", says_latex(second if chain[-1].expression == first else first))
+    first, second = says.parts
+    backwards = in_trees(chain[-1].expression) == first
+    yield Line("", says_latex(second if backwards else first))
     for link in chain:
         arrived = second if link.expression is None else link.expression
         yield Line(EQUIVALENT, says_latex(arrived), _reasons(link))

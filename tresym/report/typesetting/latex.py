@@ -1,62 +1,63 @@
-"""Write statements in LaTeX in the paper's notation."""
+r"""Write statements in LaTeX in the paper's notation.
+
+Expressions are written by the walk of :mod:`tresym.reals.language.typesetting`. The paper has names
+of its own for symbols, an order of terms and factors (``a + b \sin^2\psi``, ``1 - b \sin^2\psi``,
+``(a + b \sin^2\psi) \cos\theta``), no brackets around the argument of ``\sin\theta``, and slanted
+fractions in exponents.
+"""
 
 from __future__ import annotations
 
-import re
+from collections.abc import Iterable
 from decimal import Decimal
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
-from sympy import (
-    Add,
-    And,
-    Basic,
-    Equivalent,
-    Expr,
-    Function,
-    Integer,
-    Integral,
-    Mul,
-    Pow,
-    Rational,
-    Symbol,
-    Tuple,
-    exp,
-    oo,
-)
-from sympy.core.relational import Relational
-from sympy.printing.latex import LatexPrinter
+from flint import fmpq
 
+from tresym.ledger.formulas import EqualMatrices, Rounded, Tending, Under, in_trees, names_of
 from tresym.ledger.paper import racket
-from tresym.ledger.statements import (
-    As,
-    AtMostOne,
-    Conserved,
-    ExactlyOne,
-    ForSome,
-    Infimum,
-    Rounds,
-    StableEquilibrium,
-    StrictlyDecreasing,
-    StrictlyIncreasing,
-    Under,
-    UnstableEquilibrium,
+from tresym.reals.functions.table import CONSTANTS, TABLE
+from tresym.reals.language.binders import outermost
+from tresym.reals.language.compound import Count, Equivalent, Shape, Somewhere, Together
+from tresym.reals.language.expression import (
+    BINDERS,
+    DOTS,
+    FUNCTIONS,
+    HALF,
+    ONE,
+    ORDERS,
+    Expr,
+    add,
+    factors_in,
+    opened,
+    symbol,
+    symbols,
 )
-from tresym.reals.functions.table import TABLE, names, written_after
-from tresym.reals.numbers.exact import printed
+from tresym.reals.language.formula import Relation
+from tresym.reals.language.named_claims import Conserved, Equilibrium, Extremum
+from tresym.reals.language.paths import Path
+from tresym.reals.language.typesetting import (
+    LATEX,
+    POWER,
+    PRODUCT,
+    Printer,
+    fraction,
+    is_negative,
+    opposite,
+)
+from tresym.reals.numbers.exact import InputError, printed
 
-_RELATIONS = {"==": "=", ">": ">", ">=": r"\ge", "<": "<", "<=": r"\le", "!=": r"\ne"}
-
-_FUNCTIONS = {name: row.latex for name, row in TABLE.items() if row.theory and written_after(row)}
-
-_RAISED = names(lambda row: row.family in ("trigonometric", "hyperbolic"))
-"""Functions whose exponent stands at the name: sin²(x)."""
-
-_RATE = re.compile(r"(d|partial)([A-Za-z]+)_(?:d|partial)([A-Za-z]+[0-3]?)")
-"""Names of derivatives that are symbols, such as dG_dlambda."""
-
-_LETTERS = {"eigenvalue": r"\lambda", "hot": r"\mathrm{hot}"}
-"""Symbols that single proofs introduce, whose names are words."""
+PAPER = LATEX | {
+    "plus": "+",
+    "minus": "-",
+    "of": "{}{}",
+    "index": "{}_{}",
+    "power": "{}^{}",
+    "integral": r"\int_{low}^{high} {body}\,d{x}",
+    "root": r"(\text{{the }}{x} \in ({low}, {high}):\ {body})",
+}
 
 MOST_FRACTIONS = 2
 """In an exponent that is raised; one with more stands on the line."""
@@ -71,303 +72,278 @@ def bracketed(body: str) -> str:
     return f"({body})"
 
 
-class PaperPrinter(LatexPrinter):
-    """SymPy's LaTeX printer with products, sums, powers and functions as the paper writes them."""
+class PaperPrinter(Printer):
+    """The walk with products, sums, powers and functions as the paper writes them."""
 
-    def _print_Add(self, e: Add, order: str | None = None) -> str:
-        terms = sorted(e.args, key=_term_rank)
-        text = ""
-        for term in terms:
-            negative = _is_negative(term)
-            body = self._print(-term if negative else term)
-            if (-term if negative else term).is_Add:
-                body = bracketed(body)
-            text += ("-" if negative else "+" if text else "") + body
-        return text
+    enclosing = ("root", "at")
 
-    def _print_Mul(self, e: Mul) -> str:
-        if _is_negative(e):
-            return "-" + self._factor(-e, alone=True)
-        above, below = _fraction(e)
-        if not below:
-            return self._product(above)
-        rest = [f for f in above if not f.is_Integer]
-        if all(f.is_Integer for f in below) and any(
-            f.is_Function or f.is_Add or f.has(Integral) for f in rest
-        ):
-            head = [f for f in above if f.is_Integer]
-            share = rf"\frac{{{self._product(head)}}}{{{self._product(below)}}}"
-            return share + self._product(rest, alone=False)
-        return rf"\frac{{{self._product(above)}}}{{{self._product(below)}}}"
+    def __init__(self) -> None:
+        """Take the templates of the paper."""
+        super().__init__(PAPER)
 
-    def _product(self, factors: list[Expr], alone: bool = True) -> str:
-        if not factors:
-            return "1"
-        alone = alone and len(factors) == 1
-        ranked = sorted(factors, key=_factor_rank)
-        parts = [
-            self._print(f) if f.is_Integer and n == 0 else self._factor(f, alone)
-            for n, f in enumerate(ranked)
-        ]
+    def put(self, template: str, *args: str, **named: str) -> str:
+        """Fill in a template; a single letter that is raised or lowered needs no braces."""
+        if template in ("power", "index"):
+            args = args[0], _script(args[1])
+        elif template == "integral":
+            named |= {end: _script(named[end]) for end in ("low", "high")}
+        return super().put(template, *args, **named)
+
+    def bracketed(self, text: str) -> str:
+        """A formula in brackets."""
+        return bracketed(text)
+
+    def written(self, e: Expr) -> tuple[str, int]:
+        """The formula, and how strongly it binds."""
+        text, strength = super().written(e)
+        if e.op == "abs":
+            tall = any(mark in text for mark in _TALL)
+            return (text if tall else f"|{self.shown(e.args[0])}|"), strength
+        # a rate is a fraction, and an exponent behind a prime would be a second one
+        fragile = e.op == "symbol" and (text.startswith(r"\frac") or "'" in text)
+        called = e.op in FUNCTIONS or e.op == "unknown"
+        if e.op in BINDERS - {"root"}:  # each encloses what it binds
+            return text, POWER if text.startswith(r"\left.") else PRODUCT
+        return text, min(strength, POWER) if fragile or called else strength
+
+    def terms(self, terms: tuple[Expr, ...]) -> tuple[Expr, ...]:
+        """The terms in the order of the paper."""
+        return tuple(sorted(terms, key=_term_rank))
+
+    def over(self, above: list[Expr], below: list[Expr]) -> str:
+        """A number before a function or a sum is a fraction of its own."""
+        rest = [f for f in above if f.op != "number"]
+        if below and all(f.op == "number" for f in below) and any(map(_stands_alone, rest)):
+            head = [f for f in above if f.op == "number"]
+            share = self.put("fraction", self.factors(head), self.factors(below))
+            return share + self._joined(rest)
+        return super().over(above, below)
+
+    def factors(self, factors: list[Expr]) -> str:
+        """The factors in the order of the paper."""
+        return super().factors(factors) if len(factors) < 2 else self._joined(factors)
+
+    def _joined(self, factors: list[Expr]) -> str:
+        *first, last = sorted(factors, key=_factor_rank)
+        parts = [self.shown(f, POWER if f.op in BINDERS else PRODUCT) for f in first]
+        parts.append(self.shown(last, PRODUCT))
+        parts = [bracketed(part) if part.startswith("-") else part for part in parts]
         text = parts[0]
         for before, part in pairwise(parts):
-            text += (r"\cdot " if before[-1].isdigit() and part[0].isdigit() else "") + (
-                " " if before[-1].isalpha() and part[0].isalpha() else ""
-            )
+            if before[-1].isdigit() and part[0].isdigit():
+                text += r"\cdot "
+            elif before[-1].isalpha() and part[0].isalpha():
+                text += " "
             text += part
         return text
 
-    def _factor(self, e: Expr, alone: bool) -> str:
-        body = self._print(e)
-        signed = e.is_Add or body.startswith("-")
-        return bracketed(body) if signed and not alone else body
-
-    def _print_Pow(self, e: Pow, **_: Any) -> str:
-        base, power = e.args
-        if power.is_Rational and power < 0:
-            return rf"\frac{{1}}{{{self._print(Pow(base, -power))}}}"
-        if power == Rational(1, 2):
-            return rf"\sqrt{{{self._print(base)}}}"
-        shown = _inline(power) if power.is_Rational else self._print(power)
-        if isinstance(base, Function) and base.func.__name__ in _RAISED:
-            return self._applied(base, shown)
-        body = self._print(base)
-        plain = base.is_Symbol and not body.startswith(r"\frac")
-        if not (plain or (base.is_Integer and base >= 0)):
-            body = bracketed(body)
-        return f"{body}^{_script(shown)}"
-
-    def _applied(self, e: Function, power: str = "") -> str:
-        name = e.func.__name__
-        head = _FUNCTIONS[name] + (f"^{_script(power)}" if power else "")
-        (argument,) = e.args
-        body = self._print(argument)
-        if argument.is_Symbol:
-            return head + (body if body.startswith("\\") else f" {body}")
-        return head + bracketed(body)
-
-    def _print_Function(self, e: Function, exp: str | None = None) -> str:
-        if len(e.args) == 1 and e.func.__name__ in _FUNCTIONS:
-            return self._applied(e)
-        name = self._hprint_Function(e.func.__name__)
-        head = name + (f"^{_script(exp)}" if exp else "")
-        return head + bracketed(", ".join(map(self._print, e.args)))
-
-    _print_log = _print_Function
-
-    def _print_Order(self, e: Basic) -> str:
-        return f"O{bracketed(self._print(e.args[0]))}"
-
-    def _print_ExpBase(self, e: exp, exp: str | None = None) -> str:
-        shown = self._print(e.args[0])
-        if shown.count(r"\frac") > MOST_FRACTIONS:
-            return rf"\exp\left({shown}\right)"
-        return f"e^{_script(self._slanted(e.args[0]))}"
-
-    def _print_matrix_contents(self, e: Basic) -> str:
-        """The rows of a matrix; fractions are slanted, since those of two rows would touch."""
-        rows = (" & ".join(map(self._slanted, row)) for row in e.tolist())
-        return r"\begin{pmatrix}" + r"\\".join(rows) + r"\end{pmatrix}"
-
-    def _slanted(self, e: Expr) -> str:
+    def exponent(self, e: Expr) -> str:
         """An exponent with its fraction slanted: e^{-b/2}."""
-        sign, e = ("-", -e) if _is_negative(e) else ("", e)
-        above, below = _fraction(e)
-        if len(above) == 1 and above[0].is_Add and all(map(_is_negative, above[0].args)):
-            sign, above = "" if sign else "-", [-above[0]]
-        alone = not (sign or below)
-        top = self._product(above) if alone or len(above) != 1 else self._factor(above[0], False)
+        sign, e = ("-", opposite(e)) if is_negative(e) else ("", e)
+        above, below = fraction(e)
+        if len(above) == 1 and above[0].op == "+" and all(map(is_negative, above[0].args)):
+            sign = "" if sign else "-"
+            above = [Expr("+", tuple(map(opposite, above[0].args)))]
+        top = self.shown(above[0], PRODUCT) if (sign or below) and len(above) == 1 else ""
+        top = top or self.factors(above)
         if not below:
             return sign + top
-        bottom = self._product(below)
-        plain = len(below) == 1 and not below[0].is_Add
+        bottom = self.factors(below)
+        plain = len(below) == 1 and below[0].op != "+"
         return f"{sign}{top}/{bottom if plain else bracketed(bottom)}"
 
-    def _print_Abs(self, e: Basic, exp: str | None = None) -> str:
-        body = self._print(e.args[0])
-        tall = any(mark in body for mark in _TALL)
-        shown = rf"\left|{body}\right|" if tall else f"|{body}|"
-        return shown + (f"^{_script(exp)}" if exp else "")
+    def binder(self, e: Expr) -> str:
+        """A root is that of an equation, whose sides have no term with a minus sign."""
+        if e.op != "root":
+            return super().binder(e)
+        (name,), body = opened(e)
+        terms = self.terms(body.args) if body.op == "+" else (body,)
+        left = [term for term in terms if not is_negative(term)]
+        right = [opposite(term) for term in terms if is_negative(term)]
+        equation = " = ".join(self.shown(add(*side)) for side in (left, right))
+        low, high = map(self.shown, e.args[1:])
+        return self.put("root", x=self.name(name), low=low, high=high, body=equation)
 
-    def _print_Symbol(self, e: Symbol, style: str = "plain") -> str:
-        rate = _RATE.fullmatch(e.name)
-        own = racket().written.latex
-        if e in own or e.name in _LETTERS:
-            return own.get(e) or _LETTERS[e.name]
-        if rate is not None:
-            sign = r"\partial " if rate[1] == "partial" else "d"
-            above, below = (self._print_Symbol(Symbol(name)) for name in rate.groups()[1:])
-            return rf"\frac{{{sign}{above}}}{{{sign}{below}}}"
-        return re.sub(r"_\{([0-3])\}", r"_\1", str(super()._print_Symbol(e, style)))
+    def exponential(self, exponent: Expr) -> tuple[str, int]:
+        """The power of e, on the line if its exponent is tall."""
+        shown = self.shown(exponent)
+        if shown.count(r"\frac") > MOST_FRACTIONS:
+            return rf"\exp\left({shown}\right)", POWER
+        return super().exponential(exponent)
 
-    def _print_Integral(self, e: Basic) -> str:
-        ((variable, low, high),) = e.limits
-        body = self._print(e.function)
-        if e.function.is_Add:
-            body = bracketed(body)
-        ends = f"_{_script(self._print(low))}^{_script(self._print(high))}"
-        return rf"\int{ends} {body}\,d{self._print(variable)}"
+    def called(self, op: str, head: str, args: tuple[Expr, ...]) -> str:
+        """A function at its arguments; a letter needs no brackets."""
+        if op not in FUNCTIONS or args[0].op not in ("symbol", "pi"):
+            return super().called(op, head, args)
+        body = self.shown(args[0])
+        return head + (body if body.startswith("\\") else f" {body}")
 
-    def _print_TheRoot(self, e: Basic) -> str:
-        name, low, high = map(self._print, e.args[:3])
-        return rf"(\text{{the }}{name} \in ({low}, {high}):\ {says_latex(e.args[3])})"
+    def differentiated(self, e: Expr) -> str:
+        """What is differentiated, always in brackets."""
+        return bracketed(self.shown(e))
 
-    def _print_Subs(self, e: Basic) -> str:
-        pairs = zip(e.variables, e.point, strict=True)
-        at = ", ".join(f"{self._print(v)}={self._print(p)}" for v, p in pairs)
-        return rf"\left.{self._print(e.expr)}\right|_{{{at}}}"
-
-    def _print_Derivative(self, e: Basic) -> str:
-        variable = self._print(e.variables[0])
-        order = len(e.variables)
-        top, bottom = (
-            ("d", f"d{variable}") if order == 1 else (f"d^{order}", f"d{variable}^{order}")
-        )
-        return rf"\frac{{{top}}}{{{bottom}}}{bracketed(self._print(e.expr))}"
-
-
-def _inline(power: Rational) -> str:
-    return str(power.p) if power.q == 1 else f"{power.p}/{power.q}"
+    def name(self, name: str) -> str:
+        """A symbol as the paper writes it."""
+        return racket().written.latex.get(name) or super().name(name)
 
 
 def _script(text: str) -> str:
     return text if len(text) == 1 else f"{{{text}}}"
 
 
-def _is_negative(e: Expr) -> bool:
-    return bool(e.is_number and e.is_Rational and e < 0) or (
-        e.is_Mul and bool(e.args[0].is_Rational and e.args[0] < 0)
-    )
+def _stands_alone(e: Expr) -> bool:
+    """Whether a factor is a function, a sum or contains an integral."""
+    applied = e.op in ("+", "unknown", "exp") or (bool(e.args) and e.op in TABLE)
+    return applied or any(node.op == "integral" for node in outermost(e))
 
 
-def _fraction(e: Expr) -> tuple[list[Expr], list[Expr]]:
-    """The factors of numerator and denominator."""
-    above: list[Expr] = []
-    below: list[Expr] = []
-    for factor in Mul.make_args(e):
-        if factor.is_Rational:
-            above += [Integer(factor.p)] if factor.p != 1 else []
-            below += [Integer(factor.q)] if factor.q != 1 else []
-        elif factor.is_Pow and factor.exp.is_Rational and factor.exp < 0:
-            below.append(Pow(factor.base, -factor.exp))
-        else:
-            above.append(factor)
-    return above, below
+def _term_rank(e: Expr) -> tuple[Any, ...]:
+    """Sort key: positive terms first, then simple ones: a + b sin²ψ, 1 - b sin²ψ; orders last."""
+    atoms = {"number": 0, "symbol": 1, "pi": 1}
+    size = 1 if e.op in CONSTANTS else atoms.get(e.op, 2)
+    return e.op in ORDERS or e == DOTS, is_negative(e), size, _paper_place(e), _key(e)
 
 
 def _factor_rank(e: Expr) -> tuple[Any, ...]:
     """Sort key: numbers, π, symbols, roots, squares of sines, sums, functions."""
-    base = e.base if e.is_Pow else e
-    place = _paper_place(base)
-    if e.is_Number:
+    base = e.args[0] if e.op == "^" else e
+    place, function = _paper_place(base), ""
+    if e.op == "number":
         rank = 0
-    elif e.is_NumberSymbol:
+    elif e.op == "pi" or e.op in CONSTANTS:
         rank = 1
-    elif base.is_Symbol:
+    elif base.op == "symbol":
         rank = 2
-    elif e.is_Pow and e.exp == Rational(1, 2):
+    elif e.op == "^" and e.args[1] == HALF:
         rank = 3
-    elif isinstance(base, exp):
+    elif base.op == "exp":
         rank = 7
-    elif isinstance(base, Function):
+    elif base.op in TABLE or base.op == "unknown":
         # sin²θ (a + b sin²ψ), but (a + b sin²ψ) cos θ and (1 + r²) sinh²T
-        rank = 4 if e.is_Pow and base.func.__name__ in ("sin", "cos") else 6
-        place = 0 if base.has(*racket().written.first) else 1
-        return rank, place, base.func.__name__ != "sin", e.sort_key()
+        rank = 4 if e.op == "^" and base.op in ("sin", "cos") else 6
+        place = 1 if symbols(base).isdisjoint(racket().written.first) else 0
+        function = base.op
     else:
-        rank = 5
-    return rank, place, False, e.sort_key()
-
-
-def _term_rank(e: Expr) -> tuple[Any, ...]:
-    """Sort key: positive terms first, then simple ones: a + b sin²ψ, 1 − b sin²ψ."""
-    size = 0 if e.is_Number else 1 if e.is_Symbol or e.is_NumberSymbol else 2
-    return _is_negative(e), size, _paper_place(e), e.sort_key()
+        rank = 8 if base.op in BINDERS else 5
+    return rank, place, function not in ("", "sin", "sinh"), _key(e)
 
 
 _PAPER_ORDER = {"M": -3, "S": -2, "S2": -2, "gamma": -1, "E": 1}
 
 
 def _paper_place(e: Expr) -> int:
-    """Return the place of a symbol among its kind; printing anything larger would be slow."""
-    return _PAPER_ORDER.get(str(e), 0) if e.is_Atom else 0
+    """Return the place of a symbol among its kind."""
+    return _PAPER_ORDER.get(str(e.args[0]), 0) if e.op == "symbol" else 0
 
 
-def expression_latex(e: Basic) -> str:
+@lru_cache(maxsize=1 << 14)
+def _key(e: Expr) -> tuple[Any, ...]:
+    """Sort key of what is alike otherwise: by the base, then its exponent, then a number before."""
+    first, *rest = factors_in(e)
+    coefficient = first.args[0] if first.op == "number" else fmpq(1)
+    if first.op == "number" and rest:
+        e = rest[0] if len(rest) == 1 else Expr("*", tuple(rest))
+    base, exponent = e.args if e.op == "^" else (e, ONE)
+    kinds = {"number": 1, "symbol": 2, "pi": 2, "*": 3, "^": 3, "+": 4}
+    kind = kinds.get(base.op, 5), base.op
+    inner = [_key(a) for a in base.args if isinstance(a, Expr)]
+    if base.op in ("+", "*"):
+        inner.sort()
+    own = str(base) if not inner else ""
+    power = () if exponent == ONE else _key(exponent)
+    return kind, len(inner), own, tuple(inner), (bool(power), power), float(coefficient)
+
+
+PRINTER = PaperPrinter()
+
+
+def expression_latex(e: Any) -> str:
     r"""Return an expression in LaTeX as a mathematician would write it.
 
     Example:
-        >>> from sympy import Symbol, cos
-        >>> expression_latex(cos(Symbol("theta", real=True)) ** 2)
-        '\\cos^2\\theta'
+        >>> from tresym.reals.language.parsing import parse
+        >>> expression_latex(parse("b*cos(theta)**2"))
+        'b\\cos^2\\theta'
     """
-    return str(PaperPrinter({"mat_str": "pmatrix", "mat_delim": ""}).doprint(e))
+    return PRINTER.shown(in_trees(e))
 
 
-def says_latex(says: Basic | str) -> str:
+def says_latex(says: Any) -> str:
     """Return the statement of a claim: a sentence unchanged, a formula in LaTeX."""
     if isinstance(says, str):
         return says
-    if isinstance(says, Equivalent):
-        return r" \iff ".join(says_latex(part) for part in says.args)
-    if isinstance(says, Tuple | And):
-        return r",\quad ".join(says_latex(part) for part in says.args)
+    says = in_trees(says)
+    write = PRINTER.shown
     match says:
-        case Under(args=(inner, given)):
-            under = ",\\ ".join(map(says_latex, given.args))
+        case Expr():
+            return write(says)
+        case Relation():
+            return PRINTER.chain((says,))
+        case Together(parts=parts):
+            return r",\quad ".join(map(says_latex, parts))
+        case Equivalent(parts=parts):
+            return r" \iff ".join(map(says_latex, parts))
+        case EqualMatrices(left=left, right=right):
+            return f"{matrix_latex(left)} = {matrix_latex(right)}"
+        case Under(formula=inner, given=given):
+            under = ",\\ ".join(map(says_latex, given))
             return says_latex(inner) + (rf"\quad({under})" if under else "")
-        case ExactlyOne(args=(x, low, high, inner)):
-            name, *ends = map(expression_latex, (x, low, high))
-            return rf"\exists!\,{name} \in ({ends[0]}, {ends[1]}):\ {says_latex(inner)}"
-        case AtMostOne(args=(x, low, high, inner)):
-            name, *ends = map(expression_latex, (x, low, high))
-            between = rf"{name} \in ({ends[0]}, {ends[1]})"
-            return rf"\text{{at most one }}{between}:\ {says_latex(inner)}"
-        case Rounds():
+        case Count():
+            place = rf"{PRINTER.name(says.name)} \in ({write(says.low)}, {write(says.high)})"
+            how = r"\exists!\," if says.how == "exactly one" else rf"\text{{{says.how} }}"
+            return rf"{how}{place}:\ {says_latex(says.equation)}"
+        case Rounded():
             half = printed(says.text).width / 2 * says.half_units
             within = decimal_latex(f"{Decimal(int(half.p)) / int(half.q):f}")
-            return rf"{expression_latex(says.term)} = {decimal_latex(says.text)} \pm {within}"
-        case ForSome(args=(inner,)):
-            names = ", ".join(sorted(map(expression_latex, inner.free_symbols)))
-            return rf"\exists\,{names}:\ {says_latex(inner)}"
-        case StrictlyIncreasing(args=(e, x)) | StrictlyDecreasing(args=(e, x)):
-            way = "increases" if isinstance(says, StrictlyIncreasing) else "decreases"
-            return rf"{expression_latex(e)}\text{{ {way} strictly in }}{expression_latex(x)}"
-        case Infimum(args=(e, value)):
-            return rf"\inf {expression_latex(e)} = {expression_latex(value)}\text{{, not attained}}"
-        case Conserved(args=(e, variables, rates)):
-            return rf"{expression_latex(e)}\text{{ is constant where }}{_system(variables, rates)}"
-        case (
-            StableEquilibrium(args=(variables, rates, point))
-            | UnstableEquilibrium(args=(variables, rates, point))
-        ):
-            kind = "a stable" if isinstance(says, StableEquilibrium) else "an unstable"
-            place = rf"({', '.join(map(expression_latex, point.args))})"
-            names = rf"({', '.join(map(expression_latex, variables.args))})"
-            rest = rf"\text{{ is {kind} equilibrium of }}{_system(variables, rates)}"
-            return rf"{names} = {place}{rest}"
-        case As(args=(inner, x, point, side)):
-            mark = "" if point in (oo, -oo) else {1: "^+", -1: "^-"}.get(int(side), "")
-            passage = rf"{expression_latex(x)} \to {expression_latex(point)}{mark}"
-            return rf"{says_latex(inner)}\quad({passage})"
-    if isinstance(says, Relational):
-        left, right = map(expression_latex, says.args)
-        return f"{left} {_RELATIONS[says.rel_op]} {right}"
-    return expression_latex(says)
+            return rf"{write(says.term)} = {decimal_latex(says.text)} \pm {within}"
+        case Somewhere(comparisons=inner):
+            names = ", ".join(sorted(map(PRINTER.name, names_of(*inner))))
+            shown = r",\quad ".join(map(says_latex, inner))
+            return rf"\exists\,{names}:\ {shown}"
+        case Shape():
+            way = f"{says.how.removesuffix('ing')}es strictly"
+            return rf"{write(says.function)}\text{{ {way} in }}{PRINTER.name(says.name)}"
+        case Extremum(function=e, value=value):
+            return rf"\{says.how[:3]} {write(e)} = {write(value)}\text{{, not attained}}"
+        case Conserved():
+            system = _system(says.names, says.rates)
+            return rf"{write(says.function)}\text{{ is constant where }}{system}"
+        case Equilibrium():
+            kind = "a stable" if says.how == "stable" else f"an {says.how}"
+            names = ", ".join(map(PRINTER.name, says.names))
+            place = ", ".join(map(write, says.point))
+            system = _system(says.names, says.rates)
+            return rf"({names}) = ({place})\text{{ is {kind} equilibrium of }}{system}"
+        case Tending(relation=inner, path=path):
+            return rf"{says_latex(inner)}\quad({_passage(path)})"
+    raise InputError(f"{says} is no statement of the ledger")
 
 
-def _system(variables: Basic, rates: Basic) -> str:
+def matrix_latex(rows: Iterable[Iterable[Expr]]) -> str:
+    """Return a matrix; fractions are slanted, since those of two rows would touch."""
+    shown = (" & ".join(map(PRINTER.exponent, row)) for row in rows)
+    return r"\begin{pmatrix}" + r"\\".join(shown) + r"\end{pmatrix}"
+
+
+def _passage(path: Path) -> str:
+    """``x \\to 0^+``, and the same for several variables or an expression."""
+    if path.together:
+        names = ", ".join(map(PRINTER.name, path.together))
+        return rf"({names}) \to ({', '.join(map(PRINTER.shown, path.points or ()))})"
+    what = path.expression or symbol(path.name)
+    if path.point is None:
+        return rf"{PRINTER.shown(what)} \to {'-' if path.sides == (-1,) else ''}\infty"
+    side = {(1,): "^+", (-1,): "^-"}.get(path.sides, "")
+    return rf"{PRINTER.shown(what)} \to {PRINTER.shown(path.point)}{side}"
+
+
+def _system(names: tuple[str, ...], rates: tuple[Expr, ...]) -> str:
     """Return the equations of motion, with a dot for the derivative."""
-    pairs = zip(variables.args, rates.args, strict=True)
-    return r",\ ".join(rf"\dot{{{expression_latex(x)}}} = {expression_latex(f)}" for x, f in pairs)
+    pairs = zip(names, rates, strict=True)
+    return r",\ ".join(rf"\dot{{{PRINTER.name(x)}}} = {PRINTER.shown(f)}" for x, f in pairs)
 
 
 def decimal_latex(text: str) -> str:
     """Return a decimal as it is printed in the paper."""
     mantissa, _, exponent = text.partition("e")
     return mantissa + (rf" \cdot 10^{{{int(exponent)}}}" if exponent else "")
-
-
-def given_latex(condition: Basic) -> str:
-    """Return a condition in LaTeX."""
-    return says_latex(condition)
