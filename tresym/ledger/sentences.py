@@ -7,7 +7,7 @@ each pair in ``sentences.json``. If the sentence or the formula is changed, the 
 and `tresym.ledger.verification` lets the claim count as UNDECIDED until they are compared again and
 ``tresym verify --save-sentences LABEL`` is run.
 
-Example: "ε₀ = 0.1150 by the exact equation" beside ``Rounds(epsilon0, "0.1150")``. With 0.1151 in
+Example: "ε₀ = 0.1150 by the exact equation" beside ``Rounded(epsilon0, "0.1150")``. With 0.1151 in
 either place the claim is UNDECIDED.
 """
 
@@ -20,6 +20,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from tresym.ledger.claim import AllOf, Claim
+from tresym.ledger.formulas import in_trees
 from tresym.ledger.paper import file_of
 
 STORE = "sentences.json"
@@ -28,7 +29,7 @@ STORE = "sentences.json"
 def meaning(claim: Claim) -> str:
     """Return the formula of a claim with its conditions, or those of the claims it rests on."""
     if claim.statement is not None and not isinstance(claim.proof, AllOf):
-        return f"{claim.statement} given {claim.given}"
+        return f"{in_trees(claim.statement)!r} given {tuple(map(in_trees, claim.given))!r}"
     parts = claim.uses if claim.statement is None or isinstance(claim.proof, AllOf) else ()
     return "; ".join(f"{part.label}: {meaning(part)}" for part in parts)
 

@@ -185,7 +185,6 @@ WORDS_OF_PROOFS = {
     "epsilon_pi2": "defect for the phase after a sweep from π and one step of Newton's method",
     "P_4": "phase after a sweep from 4 and one step of Newton's method",
     "epsilon_42": "defect for the phase after a sweep from 4 and one step of Newton's method",
-    "epsilon_pi2": r"\epsilon_{\pi 2}",
     "chiprime": "derivative of the time χ by γ, along a level",
     "epsilonprime_r": "derivative of ε by γ if ψ rotates",
     "epsilonprime_o": "derivative of ε by γ if ψ oscillates and has not reached a turning point",

@@ -15,15 +15,16 @@ from typing import Any
 from tresym.ledger.audit.tree_comparison import of_claim, of_display, same
 from tresym.ledger.claim import AllOf, Claim
 from tresym.ledger.evidence.decided import Decided
-from tresym.ledger.statements import Rounds
+from tresym.ledger.formulas import EqualMatrices, Rounded, in_trees
 from tresym.reals.domain.conditions import Given
+from tresym.reals.language.binders import elementary, ordered
 from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.compound import Equivalent, Together
 from tresym.reals.language.expression import Expr, symbols
-from tresym.reals.language.formula import MIRRORED
+from tresym.reals.language.formula import MIRRORED, Relation
 from tresym.reals.language.latex import Relations, read_latex
 from tresym.reals.language.latex_author import Author, Function
 from tresym.reals.language.parsing import as_written, parse_claim
-from tresym.reals.language.sympy import RELATIONS
 from tresym.reals.numbers.exact import InputError, printed
 
 
@@ -158,49 +159,41 @@ def _statements(claim: Claim) -> Iterator[_Statement]:
     """Yield the claim's relations with its conditions; parts of a conjunction have their own."""
     says: list[Any] = [claim.says]
     numbers: list[str] = []
-    if isinstance(claim.statement, Rounds):
-        numbers = [claim.statement.text]
+    whole = in_trees(claim.statement)
+    if isinstance(whole, Rounded):
+        numbers = [whole.text]
     if isinstance(claim.says, str):
         says = [claim.means] if isinstance(claim.proof, Decided) else []
     if isinstance(claim.proof, AllOf):
         for part in claim.proof.claims:
             yield from _statements(part)
-    trees = [_tree(relation) for statement in says for relation in _relations(statement)]
-    yield _Statement(_conditions(claim), [tree for tree in trees if tree is not None], numbers)
+    trees = [
+        (of_claim(left), sign, of_claim(right))
+        for statement in says
+        for left, sign, right in _relations(in_trees(statement))
+    ]
+    yield _Statement(_conditions(claim), trees, numbers)
 
 
 def _conditions(claim: Claim) -> Given:
     """Return the claim's conditions that are comparisons of elementary expressions."""
     given = Given()
     for condition in claim.given:
-        try:
-            given = given & Given.from_sympy(condition)
-        except InputError:
-            continue
+        for relation in _relations(in_trees(condition)):
+            if relation.sign != "==" and elementary(relation.left, relation.right):
+                given = given & Given((relation,))
     return given
 
 
-def _relations(says: Any) -> list[Any]:
-    """Yield the SymPy relations in a tuple, a conjunction or an equivalence."""
-    from sympy import And, Equivalent, MatrixBase, Tuple
-    from sympy.core.relational import Relational
-
-    if isinstance(says, Relational):
-        if isinstance(says.lhs, MatrixBase):
-            pairs = zip(says.lhs, says.rhs, strict=True)
-            return [says.func(p, q, evaluate=False) for p, q in pairs]
-        return [says]
-    if isinstance(says, Tuple | And | Equivalent):
-        return [r for part in says.args for r in _relations(part)]
-    return []
-
-
-def _tree(relation: Any) -> tuple[Expr, str, Expr] | None:
-    try:
-        sides = of_claim(relation.lhs), of_claim(relation.rhs)
-    except InputError:
-        return None
-    return sides[0], RELATIONS[type(relation).__name__], sides[1]
+def _relations(says: Any) -> Iterator[Relation]:
+    """Yield the relations in a conjunction or an equivalence, those of the entries of matrices."""
+    if isinstance(says, Relation):
+        yield says
+    elif isinstance(says, EqualMatrices):
+        yield from says.entries
+    elif isinstance(says, Together | Equivalent):
+        for part in says.parts:
+            yield from _relations(part)
 
 
 def _says(statement: _Statement, link: Link, left: Expr, right: Expr) -> bool:
@@ -208,7 +201,8 @@ def _says(statement: _Statement, link: Link, left: Expr, right: Expr) -> bool:
     if link.digits and any(printed(link.digits) == printed(n) for n in statement.numbers):
         return True
     given, relations = statement.given, statement.relations
-    if not link.under <= {*given.comparisons}:
+    under = {(ordered(x), sign, ordered(y)) for x, sign, y in link.under}
+    if not under <= {(ordered(x), sign, ordered(y)) for x, sign, y in given.comparisons}:
         return False
     if link.defines and left == right:
         # The display defines a function: the claim must say its value somewhere.

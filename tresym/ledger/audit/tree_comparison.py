@@ -12,9 +12,17 @@ from typing import Any
 
 from flint import arb
 
+from tresym.ledger.formulas import in_trees
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.evaluation import evaluate
-from tresym.reals.language.binders import at, derivative, elementary, outermost, worked_out
+from tresym.reals.language.binders import (
+    at,
+    derivative,
+    elementary,
+    ordered,
+    outermost,
+    worked_out,
+)
 from tresym.reals.language.expression import (
     LEAVES,
     ZERO,
@@ -28,7 +36,6 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.latex_author import Function
-from tresym.reals.language.sympy import unworked
 from tresym.reals.numbers.arithmetic import ball_precision
 
 BITS = 192
@@ -42,20 +49,10 @@ _SLOPE = re.compile(r"(d|partial)(\w+?)_(?:d|partial)(\w+)")
 
 
 def of_claim(e: Any) -> Expr:
-    """Return the trees of a claim; a symbol that stands for the value of a function stays a symbol.
-
-    Raises:
-        InputError: the claim contains SymPy expressions that have no tree.
+    """Return an expression of a claim; a value at a point of a symbol that stands for the value of
+    a function becomes a symbol of its own.
     """
-    from sympy import Subs, Symbol
-
-    held = {}
-    for node in e.atoms(Subs):
-        if node.expr.free_symbols.isdisjoint(node.variables):
-            pairs = zip(node.variables, node.point, strict=True)
-            value = at(unworked(node.expr), {v.name: unworked(point) for v, point in pairs})
-            held[node] = Symbol(str(value), real=True)
-    return unworked(e.xreplace(held))
+    return _values_held(in_trees(e))
 
 
 def of_display(
@@ -84,7 +81,7 @@ def _values_held(e: Expr) -> Expr:
     if e.op in LEAVES:
         return e
     if e.op == "at" and not e.args[0].loose:
-        return symbol(str(e))
+        return symbol(str(ordered(e)))
     return rebuild(e, tuple(map(_values_held, e.args)))
 
 

@@ -127,8 +127,8 @@ def to_mathml(comparisons: Iterable[Compared], block: bool = True) -> str:
 class Printer:
     """The walk over a tree with the templates of one language.
 
-    A subclass may have an order of terms and factors of its own, and ways to write powers, functions
-    and names.
+    A subclass may have an order of terms and factors of its own, and ways of its own to write
+    powers, functions and names.
     """
 
     enclosing: Container[str] = ("root",)

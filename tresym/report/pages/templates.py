@@ -17,18 +17,23 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from decimal import ROUND_CEILING, ROUND_FLOOR, ROUND_HALF_EVEN, Decimal
 from functools import cache
+from typing import Any
 
-from sympy import Basic, Rational
+from flint import fmpq
 
-from tresym.ledger.claim import Claim, parts_of
+from tresym.ledger.claim import Claim
 from tresym.ledger.finding import Premise
+from tresym.ledger.formulas import EqualMatrices, Rounded, in_trees, parts_of
 from tresym.ledger.paper import file_of
 from tresym.ledger.sentences import changed as compared
 from tresym.ledger.verification import Row
-from tresym.reals.numbers.exact import InputError, fraction_text
+from tresym.reals.language.compound import Equivalent
+from tresym.reals.language.expression import factors_in, number
+from tresym.reals.language.formula import Relation
+from tresym.reals.numbers.exact import InputError, exact_number, fraction_text
 from tresym.report.pages.derivation import LINE, aligned_rows, alone, chosen_lines, continued, prose
 from tresym.report.typesetting.formula_width import width
-from tresym.report.typesetting.latex import expression_latex, says_latex
+from tresym.report.typesetting.latex import expression_latex, says_latex, side_latex
 from tresym.report.typesetting.line_breaking import broken
 from tresym.report.typesetting.statements import in_dollars, said
 from tresym.report.typesetting.titles import shown_name
@@ -169,10 +174,9 @@ class Templates:
             return said(claim).formula or ""
         if claim.shown:
             return re.split(r",\\quad |,\\qquad | \\iff ", claim.shown)[int(part) - 1]
-        parts = parts_of(claim.says) if isinstance(claim.says, Basic) else ()
-        sides = parts[0].args if len(parts) == 1 and len(parts[0].args) > 1 else ()
-        chosen = parts if len(parts) > 1 else sides
-        return says_latex(chosen[int(part) - 1])
+        parts = () if isinstance(claim.says, str) else parts_of(in_trees(claim.says))
+        chosen = [says_latex(p) for p in parts] if len(parts) > 1 else _sides(*parts)
+        return chosen[int(part) - 1]
 
     def formula(self, label: str, part: str = "") -> str:
         """Return the formula of a claim, or a part of it, for use in a text."""
@@ -258,13 +262,14 @@ class Templates:
 
     def printed(self, label: str) -> str:
         """Return the decimal that the paper prints, which a number claim decides."""
-        statement = self._claim(label).statement
-        return scientific(str(statement.args[1])) if statement is not None else ""
+        statement = in_trees(self._claim(label).statement)
+        return scientific(statement.text) if isinstance(statement, Rounded) else ""
 
     def constant(self, label: str, part: str = "1", share: str = "") -> str:
         """Return the constant of a bound: the rational factor of its right side, as a decimal."""
-        bound = parts_of(self._claim(label).says)[int(part) - 1]
-        factor = Rational(bound.rhs.as_coeff_Mul()[0])
+        bound = parts_of(in_trees(self._claim(label).says))[int(part) - 1]
+        first = factors_in(bound.right)[0]
+        factor = first.args[0] if first.op == "number" else fmpq(1)
         return decimal(100 * factor if share == "percent" else factor)
 
     def witness(self, label: str) -> str:
@@ -309,6 +314,14 @@ class Templates:
         return self.pieces[name](*args)
 
 
+def _sides(says: Any) -> list[str]:
+    """The sides of an equation, an inequality or an equivalence."""
+    if isinstance(says, Equivalent):
+        return [says_latex(part) for part in says.parts]
+    sides = (says.left, says.right) if isinstance(says, Relation | EqualMatrices) else ()
+    return [side_latex(side) for side in sides]
+
+
 def _aligned(formulas: list[str]) -> str:
     """Formulas below each other, aligned at their relations."""
     body = ",\\\\\n".join(_RELATION.sub(r" &\1 ", formula, count=1) for formula in formulas)
@@ -328,7 +341,7 @@ def scientific(text: str) -> str:
     return rf"{digits}\times 10^{{{int(power)}}}" if power else digits
 
 
-def decimal(x: Rational) -> str:
+def decimal(x: fmpq) -> str:
     """Return a rational number as a finite decimal, or else as a fraction."""
     exact = Decimal(int(x.p)) / Decimal(int(x.q))
-    return f"{exact:f}" if Rational(str(exact)) == x else expression_latex(x)
+    return f"{exact:f}" if exact_number(exact) == x else expression_latex(number(x))

@@ -15,7 +15,7 @@ from tresym.reals.functions.table import TABLE, upright
 from tresym.reals.language.compound import Equivalent
 from tresym.reals.language.expression import ZERO
 from tresym.reals.language.formula import Relation
-from tresym.report.typesetting.latex import bracketed, expression_latex, matrix_latex, says_latex
+from tresym.report.typesetting.latex import bracketed, expression_latex, says_latex, side_latex
 
 EQUIVALENT = r"\iff{}"
 """The left part of a line that is equivalent to the line before."""
@@ -85,20 +85,13 @@ def _lines(says: Any, chain: Chain) -> Display:
             return (*_equations(expression_latex(says.left), chain[:-1], ""), last)
         difference = expression_latex(up.left if up.right == ZERO else up.left - up.right)
         return tuple(_equations(difference, chain, "", f" {_SIGNS[up.sign]} 0"))
-    goal = _written(says.right) if is_equation(says) else ""
-    return tuple(_equations(_written(says.left), chain, goal))
-
-
-def _written(side: Any) -> str:
-    """One side of an equation: an expression, or the rows of a matrix."""
-    if hasattr(side, "tolist"):
-        side = tuple(tuple(map(in_trees, row)) for row in side.tolist())
-    return matrix_latex(side) if isinstance(side, tuple) else expression_latex(side)
+    goal = side_latex(says.right) if is_equation(says) else ""
+    return tuple(_equations(side_latex(says.left), chain, goal))
 
 
 def _equations(start: str, chain: Chain, goal: str, sign: str = "") -> Iterator[Line]:
     for n, link in enumerate(chain):
-        shown = goal if link.expression is None else _written(link.expression)
+        shown = goal if link.expression is None else side_latex(link.expression)
         end = sign if n == len(chain) - 1 else ""
         if n == 0 and shown == start:
             yield Line(start, end.strip(), _reasons(link))

@@ -8,7 +8,6 @@ fractions in exponents.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from decimal import Decimal
 from functools import lru_cache
 from itertools import pairwise
@@ -49,7 +48,8 @@ from tresym.reals.language.typesetting import (
 )
 from tresym.reals.numbers.exact import InputError, printed
 
-PAPER = LATEX | {
+PAPER = {
+    **LATEX,
     "plus": "+",
     "minus": "-",
     "of": "{}{}",
@@ -284,7 +284,7 @@ def says_latex(says: Any) -> str:
         case Equivalent(parts=parts):
             return r" \iff ".join(map(says_latex, parts))
         case EqualMatrices(left=left, right=right):
-            return f"{matrix_latex(left)} = {matrix_latex(right)}"
+            return f"{side_latex(left)} = {side_latex(right)}"
         case Under(formula=inner, given=given):
             under = ",\\ ".join(map(says_latex, given))
             return says_latex(inner) + (rf"\quad({under})" if under else "")
@@ -319,9 +319,15 @@ def says_latex(says: Any) -> str:
     raise InputError(f"{says} is no statement of the ledger")
 
 
-def matrix_latex(rows: Iterable[Iterable[Expr]]) -> str:
-    """Return a matrix; fractions are slanted, since those of two rows would touch."""
-    shown = (" & ".join(map(PRINTER.exponent, row)) for row in rows)
+def side_latex(side: Any) -> str:
+    """Return a side of an equation: an expression, or the rows of a matrix.
+
+    The fractions in a matrix are slanted, since those of two rows would touch.
+    """
+    rows = side.tolist() if hasattr(side, "tolist") else side
+    if not isinstance(rows, list | tuple):
+        return expression_latex(side)
+    shown = (" & ".join(PRINTER.exponent(in_trees(entry)) for entry in row) for row in rows)
     return r"\begin{pmatrix}" + r"\\".join(shown) + r"\end{pmatrix}"
 
 
@@ -333,7 +339,7 @@ def _passage(path: Path) -> str:
     what = path.expression or symbol(path.name)
     if path.point is None:
         return rf"{PRINTER.shown(what)} \to {'-' if path.sides == (-1,) else ''}\infty"
-    side = {(1,): "^+", (-1,): "^-"}.get(path.sides, "")
+    side = "" if len(path.sides) > 1 else "^+" if path.sides[0] > 0 else "^-"
     return rf"{PRINTER.shown(what)} \to {PRINTER.shown(path.point)}{side}"
 
 
