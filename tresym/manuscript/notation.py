@@ -120,7 +120,7 @@ _PART = re.compile(
 )
 _FROM_ON = re.compile(
     r"\\(sum|prod)(?![a-zA-Z])\s*(?:\\limits\s*)?_\s*\{\s*([i-n])\s*(>|\\geq?(?:slant)?(?![a-zA-Z]))\s*"
-    r"(\d+|[a-zA-Z](?:\s*[+-]\s*\d+)?)\s*\}(?!\s*\^)"
+    r"(\d+|[a-zA-Z](?:\s*_\s*\w)?(?:\s*[+-]\s*\d+)?)\s*\}(?!\s*\^)"
 )
 """A sum over ``k \\ge 1``."""
 _OVERLAY = re.compile(r"\\(?:uncover|onslide|visible|alert|pause)\s*(?:<[\d,\s-]*>|(?![a-zA-Z<]))")
