@@ -106,8 +106,15 @@ class LinkReader:
         self.values: list[Value] = []
         self.last_term: tuple[str, ...] = ()
 
-    def either_reading(self, blank: Link, said: Said, under: Under, why: str) -> Iterator[Link]:
-        """Yield the links of a chain that has two readings, each link with both readings."""
+    def either_reading(
+        self, blank: Link, said: Said, under: Under, problem: str, why: str
+    ) -> Iterator[Link]:
+        """Yield the links of a chain that has two readings, each link with both readings.
+
+        Args:
+            problem: the condition that was not understood, if any.
+            why: the reason why it has two.
+        """
         rows: list[list[Piece | str]] = []
         for longer in (True, False):
             self.memory.longer, self.memory.shorter = longer, not longer
@@ -119,6 +126,10 @@ class LinkReader:
             return
         for n, op in enumerate(said.ops):
             shown = " ".join((*said.terms[n], op, *said.terms[n + 1]))
+            if rows[0][n : n + 2] == rows[1][n : n + 2] and n:
+                link = replace(blank, shown=shown)
+                yield self.link(link, n, op, said, rows[0][n : n + 2], under, problem, False)
+                continue
             both = []
             for row in rows:
                 one, other = row[n : n + 2]

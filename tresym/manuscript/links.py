@@ -35,6 +35,7 @@ from tresym.manuscript.display_text import OR, OTHERWISE, between
 from tresym.manuscript.files import Note
 from tresym.manuscript.link_reading import EITHER, LinkReader
 from tresym.manuscript.mentions import names_in
+from tresym.manuscript.partials import with_partials
 from tresym.manuscript.solutions import Stated, names_of
 from tresym.manuscript.source import (
     EXAMPLE,
@@ -97,6 +98,8 @@ _ALONE = re.compile(
 """Titles of sections whose definitions end with them."""
 _PLUS_FIRST = re.compile(r"(?:\s|&|\\[ ,;:>!]|~|\\q?quad|\\begin\{\w+\*?\})*\+(?!\s*\\infty)")
 BOUNDS = frozenset(("<", ">", "<=", ">=", "!="))
+_COMPONENTS = re.compile(r"\b(?:marginal|densit|component|forces?|fields?)", re.IGNORECASE)
+"""Words by which a subscript x names a component or a variable rather than a derivative."""
 BETWEEN = 300
 """The most characters between two displays of which the second may continue the first."""
 LOOSE = (UNREAD, "it begins with an equality sign; the last term before it is another value")
@@ -363,6 +366,7 @@ class _Reading(LinkReader):
             return
         if said.values == (("\\ldots",),) and {*said.ops} == {"="} and len(said.ops) > 1:
             said = replace(said, values=())  # more of the kind follows
+        said = replace(said, terms=tuple(map(self.with_partials, said.terms)))
         if (derived := as_derivatives(said.terms)) and {*said.ops} == {"="}:
             said = replace(said, terms=derived)
         if said.values:
@@ -387,7 +391,7 @@ class _Reading(LinkReader):
             self.values.pop()  # it is read again below
             doubts = []
         if doubts and not any(strange) and not self.memory.shorter:
-            links = list(self.either_reading(blank, said, under, doubts[0]))
+            links = list(self.either_reading(blank, said, under, problem, doubts[0]))
             if links:
                 yield from links
                 return
@@ -412,6 +416,14 @@ class _Reading(LinkReader):
                 link = replace(link, claims=(*link.claims, *told))
             self.note_equation(link, said, blank.display.line)
             yield link
+
+    def with_partials(self, term: tuple[str, ...]) -> tuple[str, ...]:
+        """Return a term with the partial derivatives of known functions that ``f_x`` stands for."""
+        if _COMPONENTS.search(self.words):
+            return term
+        known = self.memory.functions.items()
+        several = {name: one.parameters for name, one in known if len(one.parameters) > 1}
+        return tuple(with_partials(term, several)) if several and "_" in term else term
 
     def in_parts(self, blank: Link, said: Said, under: Under) -> Iterator[Link]:
         """Yield the links of a chain of complex numbers, two of each: of the real parts, and of
