@@ -60,6 +60,13 @@ _CONDITIONAL = re.compile(
     re.IGNORECASE,
 )
 """Words that may state a condition, or say that a formula need not hold."""
+_SUPPOSED = re.compile(
+    r"\b(?:guess\w*|conjectur\w*|ansatz|tr(?:y|ies|ying)|contradict\w*|absurd\w*|impossib\w*"
+    r"|would|were|if and only if|iff|precisely when|exactly when|unless|true or false|is it true"
+    r"|for (?:which|what)|intersect\w*|unknowns?|solv(?:e|es|ing)|satisf(?:y|ies))\b",
+    re.IGNORECASE,
+)
+"""Words by which an equation holds for some values only, or is perhaps not true at all."""
 _TASK = re.compile(
     r"\?|\b(?:solv\w+|find|determin\w+|exercises?|questions?|equations?|satisf\w+|solutions?|roots?"
     r"|unknowns?|system|true or false|which|whether|fill)\b",
@@ -310,6 +317,13 @@ def _is_conditional(case: Case) -> bool:
     return bool(_CONDITIONAL.search(case.words))
 
 
+def _is_supposed(case: Case) -> bool:
+    """Whether the words around it, or the sentence behind it, say that it may not hold."""
+    after = prose.without_formulas(case.row.link.around[1])
+    behind = _SENTENCE.match(after.lstrip(" \n.,;"))
+    return bool(_SUPPOSED.search(f"{case.words} {behind[0] if behind else ''}"))
+
+
 def _is_set(case: Case) -> bool:
     return bool(_TASK.search(case.words))
 
@@ -433,6 +447,7 @@ _HARMLESS = frozenset((DoubtKind.NOT_FREE, DoubtKind.FAR, DoubtKind.DEFINITION))
 DOUBTS = (
     Evidence("a condition may stand in the words around it", -1, _is_conditional),
     Evidence("the words around it set a task", -1, _is_set),
+    Evidence("the words around it may only suppose it", -2, _is_supposed),
     Evidence("it may state several cases", -2, _is_several),
     Evidence("it may hold in one of several cases", -2, _is_case),
     Evidence("a superscript in it may be a label", -4, _is_labelled),
