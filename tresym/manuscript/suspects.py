@@ -86,6 +86,10 @@ _WORDS = frozenset((DoubtKind.SENTENCE, DoubtKind.FAR, DoubtKind.FUNCTION))
 """Reasons that the form of an equality may outweigh: words around it, definitions elsewhere."""
 _OPEN = (Cause.NO_POINT, Cause.NO_VALUE)
 """What stopped the decision of an equality that may nevertheless be a misprint."""
+_LET = re.compile(r"\b(?:let|for|with|where|when|if|at|put|set|takes?)\b[^.$]*\$", re.IGNORECASE)
+"""Words by which a variable has a value."""
+_SOLVE = re.compile(r"\b(?:solv(?:e|ed|ing)|solutions? (?:of|to|for))\b", re.IGNORECASE)
+_TOTALS = frozenset(("integral", "limit", "product", "sum"))
 _PATH = re.compile(r" as (\w+) -> ")
 _BOUNDS = frozenset(("<", "<=", ">", ">="))
 _STRICT = re.compile(r" ([<>])=? ")
@@ -118,7 +122,27 @@ def proofread(
         if why and (_is_free(row) or _fails_for_positive(row)):
             witness = row.fails_at
             result[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=witness)
+    for n, row in enumerate(result):
+        if why := bound_outside(row):
+            result[n] = replace(row, status=SUSPECT, why=why, witness=row.fails_at)
     return settled(result, processes=processes)
+
+
+def bound_outside(row: Row) -> str:
+    """Return which variable of a limit, a definite integral or a sum on one side of an equality
+    stands free on the other, as x in ``lim(f, x, 0) == 3*x``; empty if none does."""
+    sides = row.link.sides
+    if row.status != EQUATION or not row.refuted or sides is None or row.put or row.link.noted:
+        return ""
+    if _is_to_be_solved(row.link) or _LET.search(prose.without_formulas(row.link.around[0])[-60:]):
+        return ""
+    for one, other in (sides[::2], sides[::-2]):
+        for node in outermost(one):
+            loose = {*node.names} & symbols(other) - symbols(one)
+            if node.op in _TOTALS and loose and sides[1] == "==":
+                name = min(loose)
+                return f"{name} is the variable of the {node.op} on one side, and free on the other"
+    return ""
 
 
 def _fails_for_positive(row: Row) -> bool:
@@ -162,7 +186,7 @@ def may_be(row: Row) -> bool:
     if path and sought_on_path(left, relation, right, path[1]):
         return False
     vary = link.same and bool(symbols(left)) and bool(symbols(right))
-    if relation not in _RELATIONS:
+    if relation not in _RELATIONS or _is_to_be_solved(link):
         return False
     to_constant = link.goes_on and not symbols(right)  # … = f(x) = 1: only a repair tells
     meant = is_meant(link) or to_constant
@@ -181,6 +205,11 @@ def may_be(row: Row) -> bool:
     if relation != "==":
         return bool(row.refuted) and not row.put
     return bool(row.refuted) or (bool(link.claims) and row.cause in _OPEN)
+
+
+def _is_to_be_solved(link: Link) -> bool:
+    """Whether the sentence before it asks to solve it, as "Solve for $x$:" does."""
+    return not link.goes_on and bool(_SOLVE.search(prose.last_sentence(link.around[0])))
 
 
 def is_meant(link: Link) -> bool:
