@@ -1,23 +1,21 @@
 """Values of defined symbols at exact points."""
 
+from functools import partial
+
 import pytest
-from derivations import by
 from flint import arb, fmpq
-from sympy import Symbol
+from sympy import Eq, Symbol
 from tresym.proofs import near, separatrix
 
-from tresym.ledger.claim import (
-    Claim,
-    Counterexample,
-    Definition,
-    equal,
-)
+from tresym.ledger.claim import Claim, Counterexample, Definition, by
 from tresym.ledger.evidence.at_point import place_of
 from tresym.ledger.judge import judge_evidence
 from tresym.ledger.statements import AtMostOne, TheRoot
 from tresym.racket.flip.separatrix import solve
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.verdict import Verdict
+
+equal = partial(Eq, evaluate=False)
 
 x, y = (Symbol(name, real=True) for name in "xy")
 SHAPES = [(fmpq(1, 4), fmpq(1)), (fmpq(400), fmpq(1, 2)), (fmpq(1, 100), fmpq(9, 10))]

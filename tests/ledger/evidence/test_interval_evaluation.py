@@ -1,9 +1,12 @@
 """Bounds that are decided as they stand, over the box that the conditions are."""
 
+from functools import partial
+
 import pytest
 from flint import fmpq
 from sympy import (
     Basic,
+    Eq,
     Ge,
     Gt,
     Integer,
@@ -18,13 +21,15 @@ from sympy import (
     sqrt,
 )
 
-from tresym.ledger.claim import Claim, equal, label_claims
+from tresym.ledger.claim import Claim, label_claims
 from tresym.ledger.evidence.interval_evaluation import Evaluated, judge_evaluated
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.ledger.statements import AtMostOne, TheRoot
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
+
+equal = partial(Eq, evaluate=False)
 
 x, y, z = (Symbol(name, real=True) for name in "xyz")
 UNIT = (x >= 0, x <= 1)
@@ -105,9 +110,10 @@ def test_only_bounds_are_decided() -> None:
 
 
 def test_a_root_has_a_value_where_a_claim_says_that_it_is_one() -> None:
-    one = Claim(says="One.", means=AtMostOne(y, 0, 2, equal(y**2, x)), given=(x > 0,))
+    where = y, 0, 2, equal(y**2, x)
+    one = Claim(says="One.", means=AtMostOne(*where), given=(x > 0,))
     label_claims({"one": one})
-    root = TheRoot(*one.statement.args)  # type: ignore[union-attr]
+    root = TheRoot(*where)
     inside = (x >= 1, x <= 2)
     assert found(root < Rational("1.415"), *inside, claims=(one,)).verdict is Verdict.ENCLOSED
     assert found(root < Rational("1.414"), *inside, claims=(one,)).verdict is Verdict.REFUTED

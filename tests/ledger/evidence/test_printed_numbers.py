@@ -1,21 +1,14 @@
 """Printed numbers: accepted with inputs that give them, refuted where none do."""
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import pytest
-from derivations import by, derived, step
 from flint import arb, fmpq
-from sympy import Basic, Expr, Integer, Integral, Symbol, Tuple, cos, pi, sin, sqrt
+from sympy import Basic, Eq, Expr, Integer, Integral, Symbol, Tuple, cos, pi, sin, sqrt
 
-from tresym.ledger.claim import (
-    Claim,
-    Definition,
-    Monotone,
-    Printed,
-    Root,
-    equal,
-)
+from tresym.ledger.claim import Claim, Definition, Monotone, Printed, Root, by, step
 from tresym.ledger.evidence import printed_numbers as checker
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.printed_numbers import judge_printed, number_of
@@ -27,6 +20,8 @@ from tresym.reals.language import expression
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, printed
 from tresym.reals.verdict import Verdict
+
+equal = partial(Eq, evaluate=False)
 
 ENCLOSED, REFUTED, UNDECIDED = Verdict.ENCLOSED, Verdict.REFUTED, Verdict.UNDECIDED
 
@@ -209,28 +204,31 @@ def test_what_is_defined_by_itself_has_no_value() -> None:
 
 # -- roots ----------------------------------------------------------------------------------------
 
+ROOT = y, ZERO, x, equal(y**3 + y - x, 0)
 CUBIC = Claim(
     "cubic",
     "one root",
     Decided(),
     expect=Verdict.PROVED,
-    means=ExactlyOne(y, ZERO, x, equal(y**3 + y - x, 0)),
+    means=ExactlyOne(*ROOT),
     given=(x > 0,),
 )
 NAMED = Claim("named", Root(z, CUBIC).says, Root(z, CUBIC), given=(x > 0,))
+LEAST = y, ZERO, Integer(3), equal(y**3 + y, x)
 AT_MOST = Claim(
     "at most",
     "one root at most",
-    Monotone(derived(step(3 * y**2 + 1))),
-    means=AtMostOne(y, ZERO, 3, equal(y**3 + y, x)),
+    Monotone((step(3 * y**2 + 1),)),
+    means=AtMostOne(*LEAST),
     given=(x > 0,),
 )
 WAY = Integral(1 / sqrt(p + q**2), (q, 0, y))
+LONG = y, ZERO, Integer(100), equal(WAY, x)
 LONGER = Claim(
     "longer",
     "a longer way",
-    Monotone(derived(step(1 / sqrt(p + y**2), differentiating_integral(ZERO)))),
-    means=AtMostOne(y, ZERO, 100, equal(WAY, x)),
+    Monotone((step(1 / sqrt(p + y**2), differentiating_integral(ZERO)),)),
+    means=AtMostOne(*LONG),
     given=(p > 0,),
 )
 
@@ -239,16 +237,16 @@ def test_a_root_is_enclosed_by_its_equation() -> None:
     ten = Rounds(x, "10.00")
     assert verdict(number(z, "2.000", ten, using=(NAMED,))) is ENCLOSED
     assert verdict(number(z, "2.005", ten, using=(NAMED,))) is REFUTED
-    the = TheRoot(*CUBIC.statement.args)
+    the = TheRoot(*ROOT)
     assert verdict(number(the, "2.000", ten, using=(CUBIC,))) is ENCLOSED
     assert verdict(number(the + x, "12.0", ten, using=(CUBIC,))) is ENCLOSED
-    least = TheRoot(*AT_MOST.statement.args)
+    least = TheRoot(*LEAST)
     assert verdict(number(least, "2.000", ten, using=(AT_MOST,))) is ENCLOSED
     assert verdict(number(least, "2.005", ten, using=(AT_MOST,))) is REFUTED
 
 
 def test_an_equation_may_hold_an_integral() -> None:
-    the = TheRoot(*LONGER.statement.args)
+    the = TheRoot(*LONG)
     here = (Rounds(x, "1.000"), equal(p, 1))
     assert verdict(number(the, "1.175", *here, using=(LONGER,))) is ENCLOSED
     assert verdict(number(the, "1.185", *here, using=(LONGER,))) is REFUTED
@@ -256,7 +254,7 @@ def test_an_equation_may_hold_an_integral() -> None:
 
 def test_a_root_is_one_only_where_a_claim_says_so() -> None:
     ten = Rounds(x, "10.00")
-    the = TheRoot(*CUBIC.statement.args)
+    the = TheRoot(*ROOT)
     assert verdict(number(the, "2.000", ten)) is UNDECIDED
     other = TheRoot(y, ZERO, x + 1, equal(y**3 + y, x))
     assert verdict(number(other, "2.000", ten, using=(CUBIC,))) is UNDECIDED
@@ -265,7 +263,7 @@ def test_a_root_is_one_only_where_a_claim_says_so() -> None:
     # The conditions of the claim, and a root that is there.
     for text in ("-2.0", "0.0"):
         assert verdict(number(z, text, Rounds(x, "-10.0"), using=(NAMED,))) is UNDECIDED
-    least = TheRoot(*AT_MOST.statement.args)
+    least = TheRoot(*LEAST)
     assert verdict(number(least, "3.0", Rounds(x, "30.00"), using=(AT_MOST,))) is UNDECIDED
 
 
@@ -273,7 +271,7 @@ def test_a_root_is_one_only_under_the_conditions_of_its_claim() -> None:
     # 3 < y is √x < 3, a condition on what is defined.
     some = replace(AT_MOST, label="some", given=(x > 0, q > 3))
     named = Claim("named q", equal(q, x / 2), Definition())
-    the = TheRoot(*AT_MOST.statement.args)
+    the = TheRoot(*LEAST)
     for text, given, expected in (("10.00", "2.000", ENCLOSED), ("4.000", "1.379", UNDECIDED)):
         said = number(the, given, Rounds(x, text), using=(some, named))
         assert verdict(said) is expected
@@ -318,7 +316,7 @@ class _Anything(dict[Any, Any]):
     ],
 )
 def test_one_root_at_most_is_shown_by_a_rise(means: Basic, slope: Expr) -> None:
-    claim = Claim("m", "at most one", Monotone(derived(step(slope))), means=means, given=(x > 0,))
+    claim = Claim("m", "at most one", Monotone((step(slope),)), means=means, given=(x > 0,))
     assert verdict(claim) is UNDECIDED
 
 

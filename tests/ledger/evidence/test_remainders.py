@@ -1,11 +1,12 @@
 """Printed orders beside the bounds that are decided; false ones are among `test_false_claims`."""
 
+from functools import partial
 from typing import Any
 
 import pytest
-from sympy import Abs, Function, Symbol
+from sympy import Abs, Eq, Function, Symbol
 
-from tresym.ledger.claim import Claim, equal
+from tresym.ledger.claim import Claim
 from tresym.ledger.conversion import conditions
 from tresym.ledger.evidence.allowed_evidence import is_formal
 from tresym.ledger.evidence.chart_bounds import Charted, On, Shown
@@ -13,6 +14,8 @@ from tresym.ledger.evidence.remainders import Remainder, unreached, untied
 from tresym.ledger.judge import judge
 from tresym.reals.balls.branch_and_bound import box
 from tresym.reals.verdict import Verdict
+
+equal = partial(Eq, evaluate=False)
 
 pytestmark = pytest.mark.quick
 
