@@ -36,6 +36,8 @@ from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 FOLLOWS = "it follows from"
+_WITHHELD = (Verdict.UNDECIDED.value, EQUATION)
+_NUMERAL = re.compile(r"-?\s*(?:[\d.\s]+|\\[dt]?frac \{? ?-?[\d.\s]+\}? ?\{? ?[\d.\s]+\}?)")
 _CASES = re.compile(
     r"\b(?:cases?|or|either|contradict\w*|inconsistent|no solution|respectively|both|pairs?"
     r"|possib\w+|alternativ\w+)\b",
@@ -53,6 +55,7 @@ def settled(rows: Sequence[Row], seconds: float = 2.0, processes: int | None = N
     """
     result = [explained(row) if row.status in ACCUSED else row for row in rows]
     _contradicting(result)
+    _between(result, seconds, processes)
     _told_once(result, seconds, processes)
     _weigh(result)
     _without_premises(result, seconds, processes)
@@ -82,6 +85,35 @@ def _contradicting(rows: list[Row]) -> None:
             if any(_agrees(before, other) for other in others):
                 why = f"it contradicts the equation before it in its display, {before.link.read_as}"
                 rows[n] = replace(row, status="SUSPECT", why=why)
+
+
+def _between(rows: list[Row], seconds: float, processes: int | None) -> None:
+    """Mark a withheld link SUSPECT if the next one fails too, and their chain holds without the
+    term between: a = b = c with a = c, where b is more than a number."""
+    tasks = []
+    for n, (first, second) in enumerate(pairwise(rows)):
+        withheld = all(row.status in _WITHHELD and row.refuted for row in (first, second))
+        if not withheld or not _chained(first, second) or first.link.noted:
+            continue
+        ends = first.link.shown.split(" = ")[0], second.link.shown.rpartition(" = ")[2]
+        if _is_bare(second) or ends[0] == ends[1] or _says_no(first):
+            continue
+        text = _around(first, second)
+        tasks += [Task(text, line=n)] if text else []
+    for task, answer in check_all(tasks, seconds, processes) if tasks else ():
+        if isinstance(answer, Answer) and answer:
+            n = task.line or 0
+            why = f"its chain holds without its right side: {task.claim}"
+            found = replace(rows[n], status="SUSPECT", why=why, witness=rows[n].fails_at)
+            rows[n] = explained(found)
+
+
+def _is_bare(row: Row) -> bool:
+    """Whether the left side of a link is a number, a symbol, or has symbols of its own."""
+    left, _, right = row.link.sides or (ZERO, "", ZERO)
+    printed = row.link.shown.split(" = ")[0]
+    own = symbols(left) - symbols(right)
+    return bool(_NUMERAL.fullmatch(printed)) or left.op == "symbol" or bool(own)
 
 
 def _is_step(row: Row) -> bool:

@@ -37,9 +37,11 @@ from tresym.manuscript.mentions import names_in
 from tresym.manuscript.support import SUSPECT
 from tresym.manuscript.terms import unknown_in
 from tresym.reals.decisions.answer import Alternative
+from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.normal.to_expression import normal_form
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Cause, Verdict
 from tresym.repair import suggestions
@@ -123,9 +125,26 @@ def proofread(
             witness = row.fails_at
             result[n] = replace(row, status=SUSPECT, why=why, instead=instead, witness=witness)
     for n, row in enumerate(result):
-        if why := bound_outside(row):
+        if why := bound_outside(row) or false_for_all(row):
             result[n] = replace(row, status=SUSPECT, why=why, witness=row.fails_at)
     return settled(result, processes=processes)
+
+
+def false_for_all(row: Row) -> str:
+    """Return how much the sides of a link within a chain differ whatever its functions and symbols
+    are, as those of ``f(3) - f(3) = -80`` do; empty if that depends on them."""
+    sides = row.link.sides
+    withheld = row.status in ("UNDECIDED", EQUATION) and bool(row.refuted) and row.link.goes_on
+    if not withheld or sides is None or sides[1] != "==" or row.link.noted or row.holds_given:
+        return ""
+    try:
+        rest = normal_form(sides[0] - sides[2], Given())
+    except (InputError, ZeroDivisionError):
+        return ""
+    named = symbols(sides[0]) | symbols(sides[2]) | unknown_in(sides[0], sides[2])
+    if not named or rest.op != "number" or not rest.args[0]:
+        return ""
+    return f"the sides differ by {rest}, whatever {', '.join(sorted(named))} may be"
 
 
 def bound_outside(row: Row) -> str:
