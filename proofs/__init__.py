@@ -184,5 +184,6 @@ def __getattr__(name: str) -> Any:
         _programs,
         _coq_files,
         _enclosed,
+        _values_of,
     )
     return made

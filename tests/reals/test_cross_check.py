@@ -247,19 +247,15 @@ def test_verify_does_not_end_well(monkeypatch: Patch, capsys: Any) -> None:
 
 
 @pytest.mark.usefixtures("careless")
-def test_mutants_that_only_the_advocate_stops_are_told(monkeypatch: Patch, capsys: Any) -> None:
+def test_mutants_that_only_the_advocate_stops_are_told(capsys: Any) -> None:
     from tresym.dev.mutants.report import verify_mutants
 
-    true = Claim("true", equal(sin(x) ** 2, 1 - cos(x) ** 2), Decided())
-    monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda *_: (true,))
-    monkeypatch.setattr("tresym.ledger.verification.choose", lambda *_: (true,))
-    monkeypatch.setattr("tresym.dev.mutants.report.choose", lambda *_: (true,))
-    report = verify_mutants(["true"], 3)
+    report = verify_mutants(["sign_squared"], 3)
     assert not report.survivors
     assert report.stopped
-    assert main(["verify", "--mutants", "true"]) == 1
+    assert main(["verify", "--mutants", "sign_squared"]) == 1
     assert "stopped only by the independent check" in capsys.readouterr().out
-    assert main(["verify", "--mutants", "true", "--json"]) == 1
+    assert main(["verify", "--mutants", "sign_squared", "--json"]) == 1
     assert json.loads(capsys.readouterr().out)["stopped"]
 
 

@@ -90,6 +90,7 @@ class Paper:
         programs: the functions that are evaluated by programs of their own.
         coq_files: further files of Coq, by name.
         enclosed: for Coq, two decimals between which the root of a shape lies.
+        named: returns what a module of it names, by name, or another that its files use.
     """
 
     name: str
@@ -105,6 +106,7 @@ class Paper:
     programs: Callable[[], Mapping[str, Any]] = _nothing
     coq_files: Callable[[], Mapping[str, str]] = _nothing
     enclosed: Callable[..., tuple[str, str]] | None = None
+    named: Callable[[str], Mapping[str, Any]] = lambda module: {}
 
     def all_claims(self, labels: Iterable[str] = ()) -> tuple[Claim, ...]:
         """Return the claims, each after the claims that it depends on.

@@ -81,6 +81,7 @@ from __future__ import annotations
 import inspect
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import cache, partial
 from pathlib import Path
@@ -149,6 +150,7 @@ from tresym.ledger.statements import (
     UnstableEquilibrium,
     order,
 )
+from tresym.papers.definitions import PREFIX
 from tresym.papers.definitions import Definition as Abbreviation
 from tresym.papers.matrices import Matrices, MatrixFunction, entries
 from tresym.papers.reading import CLAUSE, DEFINED, OwnPaper, Reader, clauses_of, near
@@ -271,7 +273,7 @@ def read_part(path: Path, others: Callable[[str], Mapping[str, Any]]) -> Part:
         Claim(square: (a + b)**2 >= 0)
     """
     text = path.read_text(encoding="utf-8")
-    reader = _Reader(path, others, text)
+    reader = PartReader(path, others, text)
     found = reader.read(text)
     if found.problems:
         first = found.problems[0]
@@ -292,7 +294,7 @@ class _Waiting:
     note: list[str] = field(default_factory=list)
 
 
-class _Reader(Reader):
+class PartReader(Reader):
     """Read each line as it is in any file, but make claims of the ledger of it."""
 
     clause = rf"\s(?:{'|'.join(('knowing', *_HINTS))})\s+|{CLAUSE}".replace(" ", r"\s+")
@@ -320,9 +322,59 @@ class _Reader(Reader):
         """The numbers that stand in the equation of matrices that is read."""
 
     def read(self, text: str) -> OwnPaper:
+        """Read the whole file."""
         found = super().read(text)
         self._finish()
         return found
+
+    # How a line is read again with a change (:mod:`tresym.papers.changed_lines`)
+
+    def state(self, line: int, text: str) -> None:
+        """Read the statement that begins on a line."""
+        self._statement(line, text)
+
+    def reaches(self, line: int) -> bool:
+        """Return whether a line belongs to the claim that was read last."""
+        return self.waiting is not None and line <= self.waiting.end
+
+    def finish(self) -> None:
+        """Make a claim of what was read last."""
+        self._finish()
+
+    def finished(self, label: str) -> Claim:
+        """Return the claim with this label, with all that was read below it.
+
+        Raises:
+            InputError: no claim was made of the line.
+        """
+        self._finish()
+        if label not in self.own:
+            raise InputError(f"{label} is no claim")
+        return self.own[label]
+
+    def parsed(self, text: str) -> Expr:
+        """Return an expression as it stands, with the names that are used while it is read.
+
+        Raises:
+            InputError: the text is no expression.
+        """
+        return as_written(plain(self._called(text)))
+
+    def printed(self, e: Expr) -> str:
+        """Return an expression as text, with names as they are written in the file."""
+        text = re.sub(rf"\b{PREFIX}(?=\w+\()", "", str(e))
+        for name, there in OWN.items():
+            text = re.sub(rf"\b{there}(?!\w)", name, text) if name in self.declared else text
+        return text
+
+    def forked(self) -> PartReader:
+        """Return a reader that has read the same lines, and reads on by itself."""
+        made = copy(self)
+        for name, value in vars(self).items():
+            if isinstance(value, dict | list | set):
+                setattr(made, name, copy(value))
+        made.matrices = Matrices(made._entry, dict(self.matrices.known))
+        return made
 
     def _end(self, line: int) -> int:
         """The last line of the statement that begins on a line."""

@@ -570,7 +570,7 @@ class Reader:
         self.files = files
 
     def read(self, text: str) -> OwnPaper:
-        for line, statement in _statements(text):
+        for line, statement in statements_of(text):
             try:
                 self._statement(line, statement)
             except _OneNameError as error:
@@ -1310,7 +1310,7 @@ def _is_differentiated(leaf: Leaf) -> bool:
     return any(node.op in ("derivative", "nth") for node in outermost(*sides))
 
 
-def _statements(text: str) -> Iterator[tuple[int, str]]:
+def statements_of(text: str) -> Iterator[tuple[int, str]]:
     """Yield the statements with their first lines: an indented line continues the one before."""
     found: list[tuple[int, str]] = []
     fresh = True

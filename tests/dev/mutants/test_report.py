@@ -15,18 +15,18 @@ from tresym.dev.mutants.report import (
     _survives,
     verify_mutants,
 )
-from tresym.ledger.claim import Claim, Definition, by, equal
+from tresym.ledger.claim import Claim, Definition, equal
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import RULINGS
 from tresym.ledger.paper import all_claims
-from tresym.ledger.reasons import substituting
 from tresym.reals.verdict import Verdict
 
 ORDER = [claim.label for claim in all_claims()]
 x, y = (Symbol(name, real=True) for name in "xy")
 A = Claim("A", equal(x, y), Definition())
-B = Claim("B", equal(x, y), by(substituting(A)))
-FALSE = Mutant(B, "the right side", "x = 2 y", replace(B, says=equal(x, 2 * y)))
+B = Claim("B", equal(x, y), Decided((A,)))
+FALSE = Mutant("B", "the right side", "x = 2 y", replace(B, says=equal(x, 2 * y)))
 BELIEVED, STOPPED = Slip("B", "the right side", "x = 2 y"), Slip("A", "the left side", "2 x = y")
 
 
@@ -83,7 +83,7 @@ def test_what_is_false_may_deny_nothing() -> None:
 def test_processes_find_what_one_finds() -> None:
     labels = ("eq_gamma", "d08", "ratios_of_moments")
     alone, together = (verify_mutants(labels, 1, workers=n) for n in (1, 2))
-    assert alone == together
+    assert alone.counts == together.counts
     assert [row.label for row in alone.rows] == sorted(labels, key=ORDER.index)
     assert alone.survivors == ()
 

@@ -27,7 +27,6 @@ from sympy import (
 )
 from tresym.proofs import NOT_MATHEMATICS
 
-from tresym.dev.mutants.mutations import mutations
 from tresym.dev.mutants.report import _planted_row, verify_mutants
 from tresym.dev.mutants.seeded_faults import planted
 from tresym.ledger import definitions, refutations
@@ -155,9 +154,6 @@ def test_a_slip_of_a_formula_is_noticed(label: str) -> None:
     left, right = claim.says.args
     for other in (equal(left, right + epsilon0**2 / 2), equal(left * 2, right)):
         assert unfit(replace(claim, says=other)), other
-    # What is changed under an O may leave it as it is: half of the changes are noticed, or more.
-    changed = [*mutations(claim.says, (a, b))][:12]
-    assert sum(unfit(replace(claim, says=c)) is not None for c in changed) >= len(changed) / 2
 
 
 # Margins, orders and printed formulas that are not one function
@@ -262,22 +258,21 @@ def test_planted_falsehoods_are_judged_with_the_mutants(monkeypatch: pytest.Monk
     monkeypatch.setattr("tresym.ledger.paper.all_claims", lambda *_: (TRUE,))
     monkeypatch.setattr(judging, "unfit", lambda claim: None)
     report = verify_mutants()
-    assert {slip.label for slip in report.survivors} >= {"planted: another bound"}
+    assert {slip.label for slip in report.survivors} >= {"planted-another-claim"}
     assert json.dumps(report.as_json())
 
 
 @pytest.mark.parametrize(
     ("where", "guard", "without", "survivor"),
     [
-        (judging, "conflict", lambda claims: None, "planted: defined twice"),
-        (judging, "conflict", lambda claims: None, "planted: a circle"),
-        (refutations, "restrictions", lambda claims: (), "planted: an area twice"),
-        (judging, "captured", lambda claim: None, "planted: a constant of what is bound"),
-        (definitions, "need_value", lambda *asked: None, "planted: what does not exist"),
-        (refutations, "_possible", lambda claim: True, "planted: against a bound"),
-        (judging, "unfit", lambda claim: None, "planted: another bound"),
-        (judging, "unfit", lambda claim: None, "planted: no smoothness"),
-        (bounds, "inconsistent", lambda *bound: None, "planted: no bound"),
+        (judging, "conflict", lambda claims: None, "planted-defined-twice"),
+        (judging, "conflict", lambda claims: None, "planted-circle"),
+        (refutations, "restrictions", lambda claims: (), "planted-area-twice"),
+        (judging, "captured", lambda claim: None, "planted-constant-of-what-is-bound"),
+        (definitions, "need_value", lambda *asked: None, "planted-without-value"),
+        (refutations, "_possible", lambda claim: True, "planted-against-a-bound"),
+        (judging, "unfit", lambda claim: None, "planted-another-claim"),
+        (judging, "unfit", lambda claim: None, "planted-smoothness"),
     ],
 )
 def test_without_its_guard_a_planted_falsehood_is_believed(
@@ -287,6 +282,14 @@ def test_without_its_guard_a_planted_falsehood_is_believed(
     monkeypatch.setattr(judging, "_attacked", lambda claim, finding: finding)
     monkeypatch.setattr(where, guard, without)
     assert survivor in believed()
+
+
+def test_a_bound_in_words_is_the_one_that_is_shown(monkeypatch: pytest.MonkeyPatch) -> None:
+    always = Bound(lambda x, m: arb(1), box(("1", "2")))
+    claim = Claim("no bound", "x < 0 for 1 <= x <= 2", Boxes((always,), ("x",), "…"))
+    assert not judge(claim, {}).verdict.holds
+    monkeypatch.setattr(bounds, "inconsistent", lambda *bound: None)
+    assert judge(claim, {}).verdict.holds
 
 
 def test_stored_trees_that_are_no_text_leave_their_claim_undecided(

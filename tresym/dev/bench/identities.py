@@ -28,8 +28,6 @@ from tresym.dev.bench.run import (
     Workload,
     tally,
 )
-from tresym.dev.mutants.mutations import mutations
-from tresym.ledger import paper
 from tresym.ledger.claim import Chain, Claim, Step
 from tresym.ledger.conversion import conditions, known, tree
 from tresym.ledger.counterexamples import put_in, rules_of
@@ -37,8 +35,11 @@ from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.sign_prover import manifest_sign
 from tresym.ledger.paper import all_claims
 from tresym.reals.decisions.identity import decide
+from tresym.reals.language.expression import symbols
+from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
+from tresym.repair.edits import changes
 
 OURS = "tresym, exact normal form"
 PUBLIC = "tresym check, from text"
@@ -116,8 +117,10 @@ def _expressions(says: Any, chain: Chain, put: tuple[Claim, ...]) -> list[Any]:
 
 def _variant(name: str, left: Any, right: Any, given: Any) -> Iterator[Identity]:
     """The first change of the right side that balls prove false."""
-    for changed in islice(mutations(right, paper.racket().written.alike), VARIANTS):
-        if not changed.has(*OPEN) and _verdict(left, changed, given) is Verdict.REFUTED:
+    e = tree(right)
+    edits = sorted(changes(e, sorted(symbols(e))), key=lambda change: change.rank)
+    for changed in (to_sympy(edit.tree) for edit in edits[:VARIANTS]):
+        if _verdict(left, changed, given) is Verdict.REFUTED:
             yield Identity(f"{name}, made false", left, changed, given, False)
             return
 

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import BrokenExecutor
-from dataclasses import dataclass, replace
-from functools import cache
+from dataclasses import dataclass, field, replace
+from itertools import islice
 from time import process_time
 from typing import Any, NamedTuple
 
-from tresym.dev.mutants.mutants import Mutant, mutants, why_few
+from tresym.dev.mutants.mutants import Mutant, Place, places_of, why_few
 from tresym.dev.mutants.seeded_faults import planted
 from tresym.ledger import paper
-from tresym.ledger.claim import AllOf, Claim, Counterexample
+from tresym.ledger.claim import Claim, Counterexample
 from tresym.ledger.computed_once import Kept
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import RULINGS, Finding, Ruling
-from tresym.ledger.judge import judge, judge_evidence
+from tresym.ledger.judge import NEVER_ATTACKED, judge, judge_evidence
 from tresym.ledger.refutations import seen_false
 from tresym.ledger.verification import JSON_VERSION, MUTANTS, choose
 from tresym.reals.numbers.exact import InputError
@@ -25,8 +26,11 @@ from tresym.reals.processes import Processes
 from tresym.reals.resource_limits import time_limit
 from tresym.reals.verdict import Verdict
 
-SECONDS = 0.5
-"""CPU seconds for the evidence of a mutant, or twice the time of the claim's own, if more."""
+SECONDS, MOST = 0.5, 3.0
+"""CPU seconds for the evidence of a mutant, or twice the time of the claim's own, but no more than
+these; as many for the search for a point at which it is false."""
+TRIES = 8
+"""Changes tried at one place to find those that are seen to be false."""
 BATCH = 4
 """Number of consecutive claims per task of a process; neighbours share mutants of their parts."""
 
@@ -54,6 +58,8 @@ class MutantRow:
     """The number of changes; one change may give two mutants, with and without the chain."""
     why_few: str = ""
     """Why there are fewer changes than wanted; empty if there are not."""
+    aside: tuple[tuple[str, Slip], ...] = ()
+    """Changes that nothing shows to be false, with their verdicts; those that hold are true."""
 
     @property
     def total(self) -> int:
@@ -83,6 +89,12 @@ class MutantReport:
         return tuple(mutant for row in self.rows for mutant in row.stopped)
 
     @property
+    def aside(self) -> dict[str, int]:
+        """The number of changes with each verdict that nothing shows to be false."""
+        counted = Counter(verdict for row in self.rows for verdict, _ in row.aside)
+        return {v.value: counted[v.value] for v in Verdict}
+
+    @property
     def few(self) -> tuple[MutantRow, ...]:
         """The claims with fewer changes than wanted, with the reasons."""
         return tuple(row for row in self.rows if row.why_few)
@@ -95,6 +107,7 @@ class MutantReport:
             "counts": self.counts,
             "survivors": [slip._asdict() for slip in self.survivors],
             "stopped": [slip._asdict() for slip in self.stopped],
+            "aside": self.aside,
             "claims": [
                 {"label": row.label, "changes": row.changes, **row.counts} for row in self.rows
             ],
@@ -163,26 +176,93 @@ def rows_of(labels: tuple[str, ...], wanted: int) -> list[MutantRow]:
 def _row(
     claim: Claim, wanted: int, using: dict[Claim, tuple[Claim, ...]], found: dict[str, Finding]
 ) -> MutantRow:
-    judged = [
-        (Slip(claim.label, mutant.place, mutant.change), mutant, _judge_mutant(mutant, found))
-        for mutant in _mutants_of(claim, wanted, using[claim])
-    ]
-    counted = Counter(finding.verdict for _, _, finding in judged)
-    changes = len({(slip.place, slip.change) for slip, _, _ in judged})
+    judging = _Judging(found, wanted, using)
+    judged = [(mutant, judging.finding(mutant)) for m in judging.false(claim) for mutant in m]
+    changes = len({(mutant.place, mutant.change) for mutant, _ in judged})
+    counted = Counter(finding.verdict for _, finding in judged)
     return MutantRow(
         claim.label,
         {v.value: counted[v] for v in RULINGS},
-        tuple(slip for slip, mutant, finding in judged if _survives(mutant, finding.verdict)),
-        tuple(slip for slip, _, finding in judged if finding.stopped),
+        tuple(_slip(mutant) for mutant, finding in judged if _survives(mutant, finding.verdict)),
+        tuple(_slip(mutant) for mutant, finding in judged if finding.stopped),
         changes,
         why_few(claim, using[claim]) if changes < wanted else "",
+        tuple(judging.aside),
     )
 
 
-@cache
-def _mutants_of(claim: Claim, wanted: int, dependents: tuple[Claim, ...] = ()) -> Kept[Mutant]:
-    """Return the mutants of a claim; conjunctions reuse those of their parts."""
-    return Kept(lambda: mutants(claim, wanted, dependents, lambda part: _mutants_of(part, wanted)))
+def _slip(mutant: Mutant) -> Slip:
+    return Slip(mutant.label, mutant.place, mutant.change)
+
+
+@dataclass
+class _Judging:
+    """Judge the variants of claims, and tell those that are false from the others.
+
+    Attributes:
+        found: the findings on all claims, unchanged.
+        wanted: the number of changes per claim.
+        using: the claims that use a claim.
+        aside: the variants that nothing shows to be false, with their verdicts.
+    """
+
+    found: dict[str, Finding]
+    wanted: int
+    using: dict[Claim, tuple[Claim, ...]]
+    aside: list[tuple[str, Slip]] = field(default_factory=list)
+
+    def false(self, claim: Claim) -> Iterator[tuple[Mutant, ...]]:
+        """Yield false variants, for each change those that it gives: some of each place."""
+        places = [self._at(p) for p in places_of(claim, self.using.get(claim, ()), self._of_part)]
+        share = math.ceil(self.wanted / len(places)) if places else 0
+        count = 0
+        for found in (m for place in places for m in islice(place, share)):
+            count += 1
+            yield found
+        # If some places have no further changes, more are made at the others.
+        yield from islice((m for place in places for m in place), max(0, self.wanted - count))
+
+    def _at(self, place: Place) -> Iterator[tuple[Mutant, ...]]:
+        for changed in islice(place.mutants, TRIES):
+            if self._is_false(changed[0]):
+                yield changed
+            else:
+                verdict = self.finding(changed[0]).verdict
+                self.aside.append((verdict.value, _slip(changed[0])))
+
+    def _of_part(self, part: Claim) -> Iterable[tuple[Mutant, ...]]:
+        """Return the false variants of a part; claims that share it share them."""
+        if part not in _parts:
+            alone = replace(self, aside=[])
+            _parts[part] = Kept(lambda: alone.false(part))
+        return _parts[part]
+
+    def _is_false(self, mutant: Mutant) -> bool:
+        """Return whether balls, or the engine by a witness, show that a variant is false."""
+        if mutant.part is not None:
+            return True
+        asked = mutant.claim if mutant.step is None else mutant.step
+        finding = _judged(asked, self.found)
+        if not finding.verdict.holds:
+            return finding.verdict is Verdict.REFUTED
+        return finding.stopped or _seen_false(asked).verdict is Verdict.REFUTED
+
+    def finding(self, mutant: Mutant) -> Finding:
+        """Return the finding on a variant, which is refuted with its step or its part."""
+        below = {}
+        if mutant.part is not None:
+            below[mutant.part.label] = self.finding(mutant.part)
+        if mutant.step is not None:
+            below[""] = _judged(mutant.step, self.found)
+        finding = _judged(mutant.claim, {**self.found, **below})
+        if finding.verdict is Verdict.UNDECIDED and not isinstance(mutant.claim.proof, Denied):
+            refuted = (f for f in below.values() if f.verdict is Verdict.REFUTED)
+            finding = next(refuted, finding)
+        return replace(finding, stopped=any(f.stopped for f in (finding, *below.values())))
+
+
+_parts: dict[Claim, Iterable[tuple[Mutant, ...]]] = {}
+"""False variants of claims of which others are made."""
 
 
 def _planted_row(claim: Claim) -> MutantRow:
@@ -208,22 +288,6 @@ def _survives(mutant: Mutant, verdict: Ruling) -> bool:
     return verdict.holds or (denies and verdict is Verdict.REFUTED)
 
 
-def _judge_mutant(mutant: Mutant, found: dict[str, Finding]) -> Finding:
-    """Return the finding on a mutant, after judging the changed claims that it depends on.
-
-    A conjunction with a refuted part is false, even if the definitions also conflict.
-    """
-    changed = dict(found)
-    for claim in mutant.beneath:
-        changed[claim.label] = _judged(claim, changed)
-    finding = _judged(mutant.claim, changed)
-    part = changed[mutant.beneath[-1].label] if mutant.beneath else finding
-    if finding.verdict is Verdict.UNDECIDED and isinstance(mutant.claim.proof, AllOf):
-        finding = part if part.verdict is Verdict.REFUTED else finding
-    stopped = finding.stopped or any(changed[claim.label].stopped for claim in mutant.beneath)
-    return replace(finding, stopped=stopped)
-
-
 class _NotBelievedError(BaseException):
     """The time limit for the evidence was reached."""
 
@@ -242,10 +306,10 @@ def _judged(claim: Claim, found: dict[str, Finding]) -> Finding:
         label = claim.label
         finding = _within(_allowed.get(label, SECONDS), claim, found)
         if finding is None and label not in _allowed:
-            _allowed[label] = max(SECONDS, 2 * _own_seconds(label))
+            _allowed[label] = min(MOST, max(SECONDS, 2 * _own_seconds(label)))
             finding = _within(_allowed[label], claim, found) if _allowed[label] > SECONDS else None
         if finding is None or finding.verdict is Verdict.UNDECIDED:
-            seen = seen_false(claim)
+            seen = _seen_false(claim)
             if finding is None or seen.verdict is Verdict.REFUTED:
                 finding = replace(seen, stopped=finding is not None and finding.stopped)
         _once[id(claim)] = claim, finding
@@ -270,6 +334,18 @@ def _within(seconds: float, claim: Claim, found: dict[str, Finding]) -> Finding 
             return judge(claim, found)
     except _NotBelievedError:
         return None
+
+
+def _seen_false(claim: Claim) -> Finding:
+    """Return REFUTED if balls show at a point that a claim is false, without its evidence."""
+    nothing = Finding(Verdict.UNDECIDED, "no point was found at which it is false")
+    if isinstance(claim.proof, NEVER_ATTACKED):  # no single point contradicts it
+        return nothing
+    try:
+        with time_limit(MOST, _NotBelievedError):
+            return seen_false(claim)
+    except _NotBelievedError:
+        return nothing
 
 
 def _dependents(claims: tuple[Claim, ...]) -> dict[Claim, tuple[Claim, ...]]:
