@@ -16,7 +16,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import chain, zip_longest
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 from zlib import crc32
 
 from tresym.papers.changed_lines import Line
@@ -25,6 +25,7 @@ from tresym.reals.language.expression import Expr, symbols
 from tresym.reals.numbers.exact import InputError
 from tresym.repair.edits import RELATIONS, changes
 
+T = TypeVar("T")
 _SIGN = r"(?<![<>=!~:-])(?:==|<=|>=|!=|~=|<|>)(?![=<>])"
 _WORDS = r"\b(?:and|given|in|along|within|exactly|at\s+most|at\s+least|one|stable|unstable)\b"
 _APART = rf":=|<=>|\biff\b|{_SIGN}|->|[,;:']|{_WORDS}"
@@ -104,10 +105,10 @@ def slips(line: Line) -> list[Place]:
     return found
 
 
-def in_turn(many: Iterable[Iterable[Slip]]) -> Iterator[Slip]:
-    """Yield one slip of each in turn."""
+def in_turn(many: Iterable[Iterable[T]]) -> Iterator[T]:
+    """Yield one item of each in turn."""
     for row in zip_longest(*many):
-        yield from (slip for slip in row if slip is not None)
+        yield from (item for item in row if item is not None)
 
 
 class _Stage(NamedTuple):
