@@ -33,7 +33,7 @@ INSIDE = {
     "reals": (
         ("numbers", "notebook", "verdict"),
         ("functions",),
-        ("language", "resource_limits"),
+        ("computed_once", "language", "resource_limits"),
         ("processes",),
         ("domain", "cross_check"),
         ("normal",),

@@ -12,9 +12,9 @@ from flint import arb, fmpq
 from sympy import Basic, Derivative, Integral, Subs, Symbol, false
 
 from tresym.ledger.ball_evaluation import At, value
-from tresym.ledger.computed_once import Kept
 from tresym.ledger.conversion import CircularError
 from tresym.reals import cross_check
+from tresym.reals.computed_once import Kept
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.sample_points import Range
 from tresym.reals.numbers.arithmetic import ball_precision, side

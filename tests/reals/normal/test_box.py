@@ -40,3 +40,12 @@ def test_signs(p: object, spans: list[Interval], found: str | None) -> None:
 def test_coefficients_alone_see_no_square() -> None:
     assert coefficient_sign(X**2 - 2 * X + 1, [REALS, REALS]) is None
     assert coefficient_sign(2 - X, [UNIT, REALS]) == "+"
+
+
+def test_both_signs_beside_a_zero_and_beyond_floating_point() -> None:
+    narrow = Interval(fmpq(2), fmpq(2) + fmpq(1, 10**30), True, True)
+    assert sign_on_box(X - 2, [narrow, REALS]) == "+"
+    assert sign_on_box(X**2 - 2 * X * Y + Y**2, [INSIDE, INSIDE]) == ">=0"
+    assert sign_on_box(10**400 * X - Y, [INSIDE, INSIDE]) is None
+    assert sign_on_box(10**400 * X + Y, [INSIDE, INSIDE]) == "+"
+    assert sign_on_box(X**150 - Y, [Interval(fmpq(9)), INSIDE]) == "+"

@@ -15,12 +15,12 @@ from tresym.dev.mutants.mutants import Mutant, Place, places_of, why_few
 from tresym.dev.mutants.seeded_faults import planted
 from tresym.ledger import paper
 from tresym.ledger.claim import Claim, Counterexample
-from tresym.ledger.computed_once import Kept
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import RULINGS, Finding, Ruling
 from tresym.ledger.judge import NEVER_ATTACKED, judge, judge_evidence
 from tresym.ledger.refutations import seen_false
 from tresym.ledger.verification import JSON_VERSION, MUTANTS, choose
+from tresym.reals.computed_once import Kept
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.processes import Processes
 from tresym.reals.resource_limits import time_limit

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property, partial
-from itertools import islice
+from functools import cached_property, lru_cache, partial
+from itertools import count, islice
 from typing import Any
 
 from flint import arb, fmpq
 
+from tresym.reals.computed_once import Kept
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.narrow_regions import windows
 from tresym.reals.domain.sample_points import _sample, corners
@@ -26,6 +27,8 @@ from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import Interval, rational_ends
 
 _TRIES = 3000
+REMEMBERED = 1024
+"""The number of conditions whose points are kept."""
 
 
 @dataclass(frozen=True)
@@ -203,30 +206,46 @@ class Given:
             n: the maximal number of points.
             start: how many candidates of the sequence are skipped.
         """
-        wanted = sorted(self.names | set(names))
+        wanted = tuple(sorted(self.names | set(names)))
+        return map(dict, _points(self, wanted, start).first(n))
+
+    def _candidates(self, wanted: tuple[str, ...], start: int) -> Iterator[dict[str, fmpq]]:
+        """Yield the points; without conditions there is no end of them."""
         ranges = [self.box.get(name, Interval()) for name in wanted]
         if any(r.low is not None and r.high is not None and r.low >= r.high for r in ranges):
             return
-        count, conditions = 0, list(self.conditions)
-        for k in range(start, start + (_TRIES if self.conditions else n)):
+        if self._contradict:
+            return
+        found, conditions = False, list(self.conditions)
+        for k in islice(count(start), _TRIES if conditions else None):
             point = {
                 name: _sample(where, k, j)
                 for j, (name, where) in enumerate(zip(wanted, ranges, strict=True))
             }
             if _hold(conditions, point):
                 yield point
-                count += 1
-                if count == n:
-                    return
-        if not count and self.conditions:
-            yield from islice(filter(partial(_hold, conditions), self._far(wanted, ranges)), n)
+                found = True
+        if not found:
+            yield from filter(partial(_hold, conditions), self._far(wanted, ranges))
 
-    def _far(self, wanted: list[str], ranges: list[Interval]) -> Iterator[dict[str, fmpq]]:
+    @property
+    def _contradict(self) -> bool:
+        """Whether conditions say ``u > 0`` and ``-u > 0``, so that no point satisfies both."""
+        bounds = {c.expression for c in self.conditions if c.relation != "!="}
+        return any(-e in bounds for e in bounds)
+
+    def _far(self, wanted: tuple[str, ...], ranges: list[Interval]) -> Iterator[dict[str, fmpq]]:
         """Yield candidates for conditions that hold only far away or on narrow sets."""
         starts = [
             {name: _sample(ranges[j], k, j) for j, name in enumerate(wanted)} for k in range(4)
         ]
         yield from windows([c.expression for c in self.conditions if c.relation != "!="], starts)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _points(given: Given, wanted: tuple[str, ...], start: int) -> Kept[dict[str, fmpq]]:
+    """Return the points of the conditions, each of which is computed once in a process."""
+    return Kept(lambda: given._candidates(wanted, start))
 
 
 def _hold(conditions: list[Condition], point: dict[str, fmpq]) -> bool:

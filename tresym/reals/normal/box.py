@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from itertools import product
+from math import inf
 
 from flint import fmpq, fmpz_mpoly
 
@@ -20,6 +21,15 @@ MAX_DEGREE = 300
 
 
 REALS = Interval()
+ROUNDING = 1e-9
+"""The relative size of values that may be due to rounding."""
+_SHARES = (0.5, 0.02, 0.9, 0.3, 0.99, 0.12, 0.75, 0.004, 0.62, 0.97)
+PLACES = tuple(
+    tuple(_SHARES[(n + j * (2 * n + 1) * (n > 0)) % len(_SHARES)] for j in range(8))
+    for n in range(8)
+)
+"""Where a polynomial is looked at, variable by variable: ends, the middle, and mixtures."""
+LOOKS = len(PLACES)
 
 
 def sign_on_box(p: Poly, spans: list[Interval], start: int = 0) -> str | None:
@@ -35,7 +45,9 @@ def sign_on_box(p: Poly, spans: list[Interval], start: int = 0) -> str | None:
     """
     if p.is_zero():
         return "0"
-    sign = coefficient_sign(p, spans)
+    if _takes_both_signs(p, spans):
+        return None
+    sign = _by_coefficients(p, spans)
     if sign is None and len(p) <= MAX_QUADRATIC:
         for i in range(start, len(spans)):
             sign = sign or quadratic_sign(p, i, partial(sign_on_box, spans=spans, start=i + 1))
@@ -44,6 +56,57 @@ def sign_on_box(p: Poly, spans: list[Interval], start: int = 0) -> str | None:
 
 def coefficient_sign(p: Poly, spans: list[Interval]) -> str | None:
     """The sign of all coefficients once every span is mapped to [0, ∞]."""
+    return None if _takes_both_signs(p, spans) else _by_coefficients(p, spans)
+
+
+def _takes_both_signs(p: Poly, spans: list[Interval]) -> bool:
+    """Return whether ``p`` is seen to be positive and negative on the box, so that no proof exists.
+
+    Most polynomials that are asked for have no sign, and a look at few points in floating point
+    takes less time than every attempt at a proof. A value counts if it is far larger than its error
+    can be.
+    """
+    used = [i for i, degree in enumerate(p.degrees()) if degree > 0]
+    alike = len({value > 0 for value in p.coeffs()}) == 1
+    if alike and all((low := spans[i].low) is not None and low >= 0 for i in used):
+        return False
+    seen: bool | None = None
+    try:
+        values = [float(int(value)) for value in p.coeffs()]
+        powers = [[(i, int(m[i])) for i in used if m[i]] for m in p.monoms()]
+        for n in range(LOOKS):
+            at = {i: _inside(spans[i], PLACES[n][j % 8]) for j, i in enumerate(used)}
+            total = size = 0.0
+            for value, factors in zip(values, powers, strict=True):
+                for i, k in factors:
+                    value *= at[i] ** k
+                total += value
+                size += abs(value)
+            if ROUNDING * size < abs(total) < inf:
+                if seen is None:
+                    seen = total > 0
+                elif seen != (total > 0):
+                    return True
+    except OverflowError:  # too large for floating point
+        pass
+    return False
+
+
+def _inside(span: Interval, share: float) -> float:
+    """Return a point of a range, at a share of the way from its lower to its upper end."""
+    low, high = span.low, span.high
+    if low is not None and high is not None:
+        start = int(low.p) / int(low.q)
+        return start + share * (int(high.p) / int(high.q) - start)
+    if low is not None:
+        return int(low.p) / int(low.q) + share / (1 - share)
+    if high is not None:
+        return int(high.p) / int(high.q) - (1 - share) / share
+    return (2 * share - 1) / (share - share**2)
+
+
+def _by_coefficients(p: Poly, spans: list[Interval]) -> str | None:
+    """Return the sign of all coefficients, as :func:`coefficient_sign` does."""
     degrees = p.degrees()
     used = [i for i, degree in enumerate(degrees) if degree > 0]
     free = [i for i in used if spans[i].low is None and spans[i].high is None]
@@ -143,6 +206,11 @@ def on_orthant(p: fmpz_mpoly, i: int, low: fmpq | None, high: fmpq | None) -> fm
     else:
         assert high is not None
         top, bottom = high.p - u * high.q, context.constant(high.q)
+    slope = p.derivative(i)
+    if slope.is_zero():
+        return p
+    if slope.derivative(i).is_zero():
+        return slope * top + (p - slope * u) * bottom
     coefficients = []
     while not p.is_zero():
         coefficients.append(p.subs({i: 0}))
@@ -151,7 +219,7 @@ def on_orthant(p: fmpz_mpoly, i: int, low: fmpq | None, high: fmpq | None) -> fm
             raise TooLargeError(
                 f"a polynomial of degree over {MAX_DEGREE} in a variable with a range"
             )
-    result = coefficients.pop() if coefficients else context.constant(0)
+    result = coefficients.pop()
     below = bottom
     for part in reversed(coefficients):
         result, below = result * top + part * below, below * bottom

@@ -20,7 +20,7 @@ from tresym.reals.normal.factors import factor_polynomial
 from tresym.reals.normal.field import Field
 from tresym.reals.normal.ring import Poly, UndefinedError
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.signs.structural import Parts
+from tresym.reals.signs.structural import Parts, signs_of_parts, signs_seen
 
 Ask = Callable[[Expr, str, Given], str | None]
 """A prover of a relation to zero under conditions. It returns a sentence, or None."""
@@ -43,12 +43,12 @@ def sign_inside(e: Expr, given: Given) -> str | None:
         ``"+"``, ``"-"``, ``"0"``, ``">=0"``, ``"<=0"``, or None if nothing is proved. The strict
             signs also hold at closed ends.
     """
-    parts = Parts(given)
-    sign = parts.sign(e)
-    if sign in ("+", "-", "0"):
+    parts = signs_of_parts(e, given)
+    sign = parts.sign
+    if sign in ("+", "-", "0") or (sign is None and len(signs_seen(e, given)) > 1):
         return sign
     sign = _open_sign(e, given) or sign
-    if sign in (">=0", "<=0") and parts.nonzero(e):
+    if sign in (">=0", "<=0") and parts.nonzero:
         return "+" if sign == ">=0" else "-"
     return sign
 
@@ -66,7 +66,7 @@ def strict_by_conditions(e: Expr, given: Given) -> bool:
 
 def is_nonzero(e: Expr, given: Given) -> bool:
     """Return whether ``e`` is shown to vanish nowhere under ``given``."""
-    return sign_inside(e, given) in ("+", "-") or Parts(given).nonzero(e)
+    return sign_inside(e, given) in ("+", "-") or signs_of_parts(e, given).nonzero
 
 
 def is_zero(e: Expr, given: Given) -> bool:
@@ -197,7 +197,7 @@ def by_signs_of_parts(
     """
     known = sign_inside(difference, given)
     if known not in PROVING[relation]:
-        apart = relation == "!=" and Parts(given).nonzero(difference)
+        apart = relation == "!=" and signs_of_parts(difference, given).nonzero
         return "the difference vanishes nowhere by the signs of its parts" if apart else None
     return (
         f"the difference {_WORDS.get(known or '', 'is nowhere negative')} by the signs of its parts"

@@ -35,7 +35,7 @@ from tresym.reals.signs.interior import (
     strict_by_conditions,
 )
 from tresym.reals.signs.polynomials import sign_of_polynomial
-from tresym.reals.signs.structural import FLIP, Parts
+from tresym.reals.signs.structural import FLIP, signs_of_parts, signs_seen
 from tresym.reals.signs.taylor import sign_by_taylor
 from tresym.reals.signs.transformations import by_equivalents
 
@@ -136,12 +136,14 @@ def sign_by(
     if wanted in ("<", "<="):
         return FLIP[sign_by(-e, given, wanted.replace("<", ">"), prover)]
     enough = ("+", "-", "0") if wanted is None else PROVING[wanted]
-    parts = Parts(given)
-    its_sign = parts.sign(e)
+    parts = signs_of_parts(e, given)
+    its_sign = parts.sign
     if its_sign in enough or its_sign in ("+", "-", "0"):
         return its_sign
-    if wanted == "!=" and parts.nonzero(e):
+    if wanted == "!=" and parts.nonzero:
         return "!="
+    if its_sign is None and len(signs_seen(e, given)) > 1:
+        return None
     if not (is_regular(given) and has_inside(given)):
         return its_sign
     its_sign = sign_inside(e, given) or its_sign
@@ -150,11 +152,16 @@ def sign_by(
         its_sign = up if strict_by_conditions(side, given) else its_sign
     if prover is None or wanted is None or its_sign in (*enough, "+", "-", "0"):
         return its_sign
+    if its_sign == "<=0" and wanted == ">":
+        return its_sign
     if jumps((e,), given):
         return (
             its_sign  # the methods prove almost all points, which says nothing about points of jump
         )
+    against = signs_seen(e, given)
     for up, side in (("+", e), ("-", -e))[: 1 + (wanted == "!=")]:
+        if (-1 if up == "+" else 1) in against:
+            continue
         if prover(side, wanted.replace("!=", ">"), given) is not None:
             return ">=0" if wanted == ">=" else up
     return its_sign

@@ -12,11 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
-from functools import reduce
+from functools import cached_property, lru_cache, reduce
 
-from flint import fmpq
+from flint import arb, fmpq
 
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.domain.operation_domains import bound
 from tresym.reals.functions.row import Function
 from tresym.reals.functions.table import TABLE, names
@@ -30,6 +31,7 @@ from tresym.reals.normal.ring import (
     project,
     small_factor,
 )
+from tresym.reals.numbers.arithmetic import ball_precision, side
 from tresym.reals.numbers.exact import Interval
 from tresym.reals.numbers.factoring import TooLargeError
 from tresym.reals.signs.atoms import Atoms
@@ -53,6 +55,10 @@ MAX_LOOKS = 160
 """The maximal number of polynomials examined for one expression, including its parts."""
 DEPTH = 2
 """The maximal number of conditions subtracted from a sum."""
+POINTS, BITS = 6, 64
+"""The number of points at which an expression is looked at, and the precision there."""
+SETS, REMEMBERED = 256, 4096
+"""How many sets of conditions, and how many signs, are kept."""
 
 WEAK = ("+", ">=0", "0")
 FLIP = {"+": "-", "-": "+", ">=0": "<=0", "<=0": ">=0", "0": "0", None: None}
@@ -79,6 +85,61 @@ def sign_by_form(e: Expr) -> str | None:
         terms = {sign_by_form(term) for term in e.args}
         return "+" if terms in ({"+"}, {"+", ">=0"}) else ">=0" if terms == {">=0"} else None
     return {"pi": "+", "exp": "+", "abs": ">=0"}.get(e.op)
+
+
+@lru_cache(maxsize=SETS)
+def _looked_at(
+    given: Given, names: frozenset[str]
+) -> list[tuple[dict[str, fmpq], dict[Expr, arb]]]:
+    """Return few points of the conditions, with the known values of expressions there.
+
+    Args:
+        names: further symbols, of which the conditions say nothing.
+    """
+    pairs = zip(given.points((), POINTS), Given().points(names, POINTS), strict=False)
+    return [({**point, **further}, {}) for point, further in pairs]
+
+
+@lru_cache(maxsize=REMEMBERED)
+def signs_seen(e: Expr, given: Given) -> frozenset[int]:
+    """Return the signs +1 and −1 that ``e`` has at few points inside the conditions.
+
+    An expression with both has no sign that could be proved, which is much faster to see than
+    every attempt at a proof.
+    """
+    seen: set[int] = set()
+    with ball_precision(BITS):
+        for point, known in _looked_at(given, symbols(e) - given.names):
+            found = side(evaluate(e, point, known))
+            if found is not None:
+                seen.add(found)
+            if len(seen) > 1:
+                break
+    return frozenset(seen)
+
+
+class Signs:
+    """What the parts of one expression show of its sign: a `Parts` that was asked for it alone.
+
+    Attributes:
+        sign: its sign, as :meth:`Parts.sign` returns it.
+    """
+
+    def __init__(self, e: Expr, given: Given) -> None:
+        """Prove the sign."""
+        self._e, self._parts = e, Parts(given)
+        self.sign = self._parts.sign(e)
+
+    @cached_property
+    def nonzero(self) -> bool:
+        """Whether the expression is shown to vanish nowhere."""
+        return self._parts.nonzero(self._e)
+
+
+@lru_cache(maxsize=SETS)
+def signs_of_parts(e: Expr, given: Given) -> Signs:
+    """Return what the parts of ``e`` show of its sign; several methods ask for it in turn."""
+    return Signs(e, given)
 
 
 class Parts:
@@ -316,7 +377,11 @@ class Parts:
             self._trials = self._looks = 0
         self._depth = max(0, depth - 1)  # for the ranges of atoms that are needed on the way
         try:
-            return self._fraction(self.atoms.of(e), depth)
+            value = self.atoms.of(e)
+            open_ = any(self._on_box(p) is None for p in (value.num, value.den))
+            if open_ and len(signs_seen(e, self.given)) > 1:
+                return None
+            return self._fraction(value, depth)
         except (TooLargeError, UndefinedError):
             return None
         finally:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tresym.ledger.computed_once import Kept
+from tresym.reals.computed_once import Kept
 
 
 def test_what_is_kept_is_made_once_and_no_further_than_asked() -> None:
