@@ -15,9 +15,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from hashlib import sha256
-from typing import TypeAlias
-
-from sympy import Basic
+from typing import Any, TypeAlias
 
 from tresym.coq.implicit_statements import Implicit
 from tresym.coq.solution_statements import Along
@@ -32,6 +30,7 @@ from tresym.coq.statement import (
     Theorem,
     Wherever,
 )
+from tresym.coq.theorem_form import arranged
 from tresym.coq.theorem_trees import Part, defined
 from tresym.ledger.claim import (
     AllOf,
@@ -48,16 +47,23 @@ from tresym.ledger.claim import (
     Printed,
     Root,
     RootMonotone,
-    parts_of,
 )
-from tresym.ledger.conversion import conditions
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.deductions import parts_under
 from tresym.ledger.evidence.refutation import denied_part
+from tresym.ledger.formulas import (
+    EqualMatrices,
+    Rounded,
+    Tending,
+    Under,
+    in_trees,
+    mapped,
+    parts_of,
+)
 from tresym.ledger.paper import file_of
-from tresym.ledger.statements import Conserved, Rounds
-from tresym.reals.language import sympy as sympy_reader
 from tresym.reals.language.binders import outermost
+from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.compound import Count, Equivalent, Somewhere, Together
 from tresym.reals.language.expression import (
     ZERO,
     Expr,
@@ -69,6 +75,8 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import Conjunction, Equivalence, Relation
+from tresym.reals.language.named_claims import Conserved
+from tresym.reals.language.paths import Path
 from tresym.reals.numbers.exact import InputError, printed
 from tresym.reals.verdict import Verdict
 
@@ -161,20 +169,22 @@ def _theorem_of(claim: Claim) -> Exported:
     if statement is None:
         raise NotExportedError("a sentence without a formula cannot be exported to Coq")
     try:
-        if (kept := parts_of(statement)) and all(isinstance(e, Conserved) for e in kept):
+        written = in_one_form(statement)
+        if (kept := parts_of(written)) and all(isinstance(e, Conserved) for e in kept):
             return _along(claim, kept)
-        if type(statement).__name__ == "As":
-            return tending(claim, statement)
-        if type(statement).__name__ == "ForSome" and claim.expect is Verdict.REFUTED:
-            return theorem(claim, denied(read(statement.args[0])))  # at no point
-        says = read(statement)
+        if isinstance(written, Tending):
+            return tending(claim, written)
+        if isinstance(written, Somewhere) and claim.expect is Verdict.REFUTED:
+            somewhere = (Relation(*c) for c in written.comparisons)
+            return theorem(claim, denied(Conjunction(tuple(somewhere))))  # at no point
+        says = read(written)
         if isinstance(proof, Definition):
             return existence(claim, says)
         if isinstance(proof, Printed):
             refuted = claim.expect is Verdict.REFUTED
             return theorem(claim, denied(says) if refuted else says, exists=not refuted)
         if claim.expect is Verdict.REFUTED:
-            above: tuple[Basic, ...] = ()
+            above: tuple[Any, ...] = ()
             if isinstance(proof, Counterexample):
                 found = denied_part(statement, proof.point)
                 above, says = (found[0], read(found[1])) if found else ((), says)
@@ -186,12 +196,16 @@ def _theorem_of(claim: Claim) -> Exported:
         ) from None
 
 
-def _along(claim: Claim, kept: Sequence[Basic]) -> Along:
+def in_one_form(says: Any) -> Any:
+    """Return a statement, or an expression, as trees in the form of the texts of theorems."""
+    found = in_trees(says)
+    return arranged(found) if isinstance(found, Expr) else mapped(found, arranged)
+
+
+def _along(claim: Claim, kept: Sequence[Conserved]) -> Along:
     """Return that quantities are constant along the solutions of their common system."""
-    (system,) = {(e.args[1], e.args[2]) for e in kept}
-    unknowns = tuple(x.name for x in system[0].args)
-    rates = tuple(map(sympy_reader.unworked, system[1].args))
-    quantities = tuple(sympy_reader.unworked(e.args[0]) for e in kept)
+    ((unknowns, rates),) = {(e.names, e.rates) for e in kept}
+    quantities = tuple(e.function for e in kept)
     given = conditions_of(claim.given)
     there = [c for c in given if free(c) & {*unknowns}]
     whole = [*rates, *quantities, *(side for c in given for side in (c.left, c.right))]
@@ -231,9 +245,9 @@ def _implicit(claim: Claim, proof: ImplicitFunction) -> Implicit:
     """Return the implicit function theorem for the equation of a claim."""
     (slope,) = relations(read(claim.says))
     (equation,) = relations(read(proof.equation.decided))
-    unknown, parameter = proof.unknown.name, proof.parameter.name
+    unknown, parameter = str(proof.unknown), str(proof.parameter)
     given = tuple(c for c in conditions_of(claim.given) if parameter not in free(c))
-    at = sympy_reader.unworked(proof.at)
+    at = in_one_form(proof.at)
     names = free(equation).union(free(slope), symbols(at), *map(free, given))
     names -= {parameter, slope.left.args[0]}
     return Implicit(
@@ -248,9 +262,21 @@ def _implicit(claim: Claim, proof: ImplicitFunction) -> Implicit:
     )
 
 
-def conditions_of(given: Iterable[Basic]) -> list[Relation]:
+def conditions_of(given: Iterable[Any]) -> list[Relation]:
     """Return the conditions as relations, equations included."""
     return [part for e in given for part in relations(read(e))]
+
+
+def _inequalities(given: Iterable[Any]) -> tuple[Relation, ...]:
+    """Return the conditions of a definition as relations.
+
+    Raises:
+        InputError: one is an equation.
+    """
+    found = tuple(conditions_of(given))
+    if any(c.sign == "==" for c in found):
+        raise InputError("the condition of a definition must be an inequality such as a > 0")
+    return found
 
 
 def relations(says: Formula) -> Iterator[Relation]:
@@ -266,53 +292,57 @@ def _assumed(claim: Claim) -> bool:
     return isinstance(claim.proof, Definition) and bool(claim.proof.assumes)
 
 
-def read(says: Basic) -> Formula:
+def read(says: Any) -> Formula:
     """Convert a statement to a formula."""
-    kind = type(says).__name__
-    if kind == "Tuple":
-        return Conjunction(tuple(map(read, says.args)))  # type: ignore[arg-type]
-    if kind == "Equivalent" and len(says.args) == 2:
-        return Equivalence(*map(read, says.args))  # type: ignore[arg-type]
-    if kind == "Under":
-        return Wherever(tuple(conditions_of(says.args[1].args)), read(says.args[0]))
-    if kind == "ExactlyOne":
-        x, low, high = map(sympy_reader.unworked, says.args[:3])
-        between = Relation(x, ">", low), Relation(x, "<", high)
-        return One(x.args[0], Conjunction((*between, read(says.args[3]))))  # type: ignore[arg-type]
-    if kind == "AtMostOne":
-        return _at_most_one(sympy_reader.unworked(says.args[0]), says)
-    if isinstance(says, Rounds):
-        return _rounded(sympy_reader.unworked(says.term), says)
-    return sympy_reader.formula(says)
+    return _read(in_one_form(says))
 
 
-def _at_most_one(x: Expr, says: Basic) -> Formula:
+def _read(says: Any) -> Formula:
+    if isinstance(says, Relation):
+        return says
+    if isinstance(says, Together):
+        return Conjunction(tuple(map(_read, says.parts)))  # type: ignore[arg-type]
+    if isinstance(says, EqualMatrices):
+        return Conjunction(says.entries)
+    if isinstance(says, Equivalent) and len(says.parts) == 2:
+        return Equivalence(*map(_read, says.parts))  # type: ignore[arg-type]
+    if isinstance(says, Under):
+        given = (part for c in says.given for part in relations(_read(c)))
+        return Wherever(tuple(given), _read(says.formula))
+    if isinstance(says, Count) and says.how == "exactly one":
+        x = symbol(says.name)
+        between = Relation(x, ">", says.low), Relation(x, "<", says.high)
+        return One(says.name, Conjunction((*between, Relation(*says.equation))))
+    if isinstance(says, Count) and says.how == "at most one":
+        return _at_most_one(says)
+    if isinstance(says, Rounded):
+        return _rounded(says)
+    raise InputError(f"{says} is not a relation such as a > 0")
+
+
+def _at_most_one(says: Count) -> Formula:
     """Return that two values between the ends that both satisfy the equation are equal."""
-    low, high = map(sympy_reader.unworked, says.args[1:3])
-    inner_formula = read(says.args[3])
-    other = symbol(fresh(f"{x.args[0]}'", free(inner_formula)))
+    inner = Relation(*says.equation)
+    x, other = symbol(says.name), symbol(fresh(f"{says.name}'", free(inner)))
     there = [
         part
         for one in (x, other)
         for part in (
-            Relation(one, ">", low),
-            Relation(one, "<", high),
-            *(
-                Relation(
-                    substitute(p.left, {x.args[0]: one}),
-                    p.sign,
-                    substitute(p.right, {x.args[0]: one}),
-                )
-                for p in relations(inner_formula)
+            Relation(one, ">", says.low),
+            Relation(one, "<", says.high),
+            Relation(
+                substitute(inner.left, {says.name: one}),
+                inner.sign,
+                substitute(inner.right, {says.name: one}),
             ),
         )
     ]
     return Wherever(tuple(there), Relation(other, "==", x))
 
 
-def _rounded(e: Expr, says: Rounds) -> Formula:
+def _rounded(says: Rounded) -> Formula:
     """Return that a term lies within the tolerance around the printed decimal."""
-    interval = printed(says.text)
+    e, interval = says.term, printed(says.text)
     middle, half = (interval.low + interval.high) / 2, (interval.high - interval.low) / 2
     half *= says.half_units
     if e.op == "symbol":
@@ -373,7 +403,7 @@ def asked(says: Formula) -> Iterator[Part]:
 
 
 def theorem(
-    claim: Claim, says: Formula, above: tuple[Basic, ...] = (), exists: bool = False
+    claim: Claim, says: Formula, above: tuple[Any, ...] = (), exists: bool = False
 ) -> Theorem:
     """Return the theorem of a claim: its definitions, conditions, definedness and conclusion.
 
@@ -401,22 +431,20 @@ def theorem(
     )
 
 
-def tending(claim: Claim, says: Basic) -> Theorem:
+def tending(claim: Claim, says: Tending) -> Theorem:
     """Return an order as an ε–δ statement: a bound that holds at all sufficiently near points.
 
     Where the order is of a derivative, the derivative exists there and has the bound.
     """
-    equation, what, points, side = says.args
-    left, right = sympy_reader.unworked(equation.lhs), sympy_reader.unworked(equation.rhs)
+    left, _, right = says.relation
+    path = says.path
     (node,) = {e for e in outermost(right) if e.op in ("O", "o")}
     k, d = symbol("bound"), symbol("near")
     without, whole = (replaced(right, {node: e}) for e in (ZERO, node.args[0]))
     small = Relation(abs(left - without), "<=", k * abs(whole - without))
-    several = type(what).__name__ == "Tuple"
-    pairs = zip(what.args, points.args, strict=True) if several else [(what, points)]
-    where = [part for x, p in pairs for part in _beside(x, p, int(side), d)]
-    if not several and not int(side):
-        where.append(Relation(sympy_reader.unworked(what), "!=", sympy_reader.unworked(points)))
+    where = [*_beside(path, d)]
+    if path.point is not None and len(path.sides) == 2:
+        where.append(Relation(symbol(str(path.name)), "!=", path.point))
     given = [*conditions_of(claim.given), *where]
     sides = [e for c in given for e in (c.left, c.right)]
     used = frozenset().union(free(small), *map(symbols, sides)) - {"bound", "near"}
@@ -434,17 +462,26 @@ def tending(claim: Claim, says: Basic) -> Theorem:
     return Theorem(name_of(claim.label), (), (), (), (), Fails(near) if refuted else near)
 
 
-def _beside(x: Basic, point: Basic, side: int, d: Expr) -> Iterator[Relation]:
-    """Return that ``x`` is within ``d`` of the point on its side, or beyond ``d`` at infinity."""
-    e = sympy_reader.unworked(x)
-    if point.is_infinite:
+def _beside(path: Path, d: Expr) -> Iterator[Relation]:
+    """Return that what tends is within ``d`` of its point on its side, or beyond ``d`` at oo."""
+    if path.together:
+        for name, p in zip(path.together, path.points, strict=True):
+            yield from _near(symbol(name), p, (1, -1), d)
+    elif path.point is None:
+        far = INFINITY if path.sides == (1,) else -INFINITY
+        yield from _near(path.expression or symbol(str(path.name)), far, (), d)
+    else:
+        yield from _near(symbol(str(path.name)), path.point, path.sides, d)
+
+
+def _near(e: Expr, p: Expr, sides: tuple[int, ...], d: Expr) -> Iterator[Relation]:
+    if p == INFINITY:
         yield Relation(e, ">", d)
-        return
-    p = sympy_reader.unworked(point)
-    yield from [
-        Relation(e, ">", p if side > 0 else p - d),
-        Relation(e, "<", p if side < 0 else p + d),
-    ]
+    elif p == -INFINITY:
+        yield Relation(e, "<", -d)
+    else:
+        yield Relation(e, ">", p if sides == (1,) else p - d)
+        yield Relation(e, "<", p if sides == (-1,) else p + d)
 
 
 Meaning = tuple[tuple[Condition, ...], Relation]
@@ -457,7 +494,7 @@ def definitions(claim: Claim, names: frozenset[str]) -> tuple[list[Meaning], fro
     that has several, which together restrict its value.
     """
     table = [
-        (conditions(used.given), part)
+        (_inequalities(used.given), part)
         for used in claim.rests_on
         if isinstance(used.proof, Definition | ImplicitFunction | Root)
         and used.statement is not None

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import islice
+from typing import Any
 
 from tresym.coq.candidate_search import proofs
 from tresym.coq.equations import exchanged, nodes, quarters
@@ -24,6 +25,7 @@ from tresym.coq.ledger_statements import (
     Exported,
     Joint,
     free,
+    in_one_form,
     name_of,
     read,
     relations,
@@ -44,10 +46,11 @@ from tresym.coq.statement import (
     variable,
 )
 from tresym.coq.structural_signs import manifest_proofs
+from tresym.coq.theorem_form import arranged
 from tresym.coq.theorem_trees import defined, inside, put_at, values_of
 from tresym.coq.witness_points import point_proofs
 from tresym.ledger.claim import Chain, Claim, Definition, Instance, Reason, Root
-from tresym.ledger.conversion import stage, tree
+from tresym.ledger.conversion import stage
 from tresym.ledger.paper import file_of
 from tresym.reals.language.binders import elementary, worked_out
 from tresym.reals.language.derivatives import differentiate
@@ -130,7 +133,7 @@ class _Planner:
     def instance(self, proof: Instance) -> Plan:
         """Return the plan that applies the theorem of a general claim to values."""
         general = theorem_of(proof.claim)
-        values = {x.name: term(tree(e), ATOM) for x, e in proof.values}
+        values = {str(x): term(in_one_form(e), ATOM) for x, e in proof.values}
         if not isinstance(general, Theorem) or general.exists:
             raise _NoPlanError
         if not {*general.variables} <= {*values, *self.whole.variables}:
@@ -323,7 +326,7 @@ class _Planner:
                 if goal is not None:
                     move(goal)
                 continue
-            found = stage(link.expression)
+            found = _stage(link.expression)
             if isinstance(found, Relation):
                 raise _NoPlanError
             move(worked_out(found[entry]))
@@ -403,29 +406,29 @@ class _Planner:
         if not chain:
             raise _NoPlanError
         last = chain[-1].expression
-        turned = last is not None and stage(last) == first
+        turned = last is not None and _stage(last) == first
         current, goal = (second, first) if turned else (first, second)
         lines: list[str] = []
         names: list[str] = []
         steps = [(link.reasons, link.expression) for link in chain]
-        if turned or steps[-1][1] is None or stage(steps[-1][1]) == goal:
+        if turned or steps[-1][1] is None or _stage(steps[-1][1]) == goal:
             pass
         else:
             steps.append(((), None))
         for reasons, expression in steps:
-            after = goal if expression is None else stage(expression)
+            after = goal if expression is None else _stage(expression)
             if not isinstance(after, Relation):
                 raise _NoPlanError
             rules, facts = self.reasons(reasons)
             hole, left, right, back = "z", current.left, current.right, []
             for reason in reasons:
                 if reason.term is not None:
-                    t = tree(reason.term)
+                    t = in_one_form(reason.term)
                     left, right = Expr("+", (left, t)), Expr("+", (right, t))
                     hole = f"({hole} + {term(t, 1)})"
                     back.append("apply Rplus_eq_reg_r in K_0.")
                 if reason.factor is not None:
-                    c = tree(reason.factor)
+                    c = in_one_form(reason.factor)
                     left, right = Expr("*", (left, c)), Expr("*", (right, c))
                     hole = f"({hole} * {term(c, 2)})"
                     unlike = self.lemma(Relation(c, "!=", ZERO), rules=rules, more=facts)
@@ -609,3 +612,11 @@ def exchanged_under(node: Expr, whole: object) -> Expr:
     """Substitute definitions into the function under a derivative."""
     body = node.args[0]
     return Expr(node.op, (whole(body), *node.args[1:]), node.names)  # type: ignore[operator]
+
+
+def _stage(e: Any) -> Relation | tuple[Expr, ...]:
+    """Return the stage that a step states, each expression in one form."""
+    found = stage(e)
+    if isinstance(found, Relation):
+        return Relation(arranged(found.left), found.sign, arranged(found.right))
+    return tuple(map(arranged, found))
