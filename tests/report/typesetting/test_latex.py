@@ -5,29 +5,14 @@ import sympy
 from sympy import Derivative, Integral, Rational, Subs, exp, pi, sqrt
 
 from tresym.racket.formulas import printed
-from tresym.racket.notation import (
-    I1,
-    I2,
-    I3,
-    M1,
-    M2,
-    M3,
-    E,
-    M,
-    S,
-    T,
-    a,
-    b,
-    epsilon,
-    gamma,
-    psi,
-    r,
-    theta,
-)
-from tresym.racket.notation import x as x_
 from tresym.report.typesetting.conditions import gathered
 from tresym.report.typesetting.formula_width import width
 from tresym.report.typesetting.latex import expression_latex, says_latex
+
+NAMES = "I1 I2 I3 M1 M2 M3 E M S T a b epsilon gamma psi r theta x"
+I1, I2, I3, M1, M2, M3, E, M, S, T, a, b, epsilon, gamma, psi, r, theta, x_ = sympy.symbols(
+    NAMES, real=True
+)
 
 GOLDEN = {
     r"a-\sin^2\theta(a+b\sin^2\psi)": printed.depth(theta, psi, a, b, sympy),
