@@ -126,7 +126,7 @@ def ground(
     doubts = [
         Doubt(DoubtKind.NOT_FREE, f"{x} is not free: {r.why}")
         for x, r in restricted.items()
-        if not r.bounds and (not r.by or r.by & tied)
+        if not r.bounds and (not r.by or r.by & tied) and not _cancels(x, compared)
     ]
 
     def doubt(kind: DoubtKind, text: str) -> None:
@@ -160,6 +160,17 @@ def ground(
     for letter in sorted(_repeated(names)):
         doubt(DoubtKind.SUMMED, f"the index {letter} may be summed over")
     return Ground(tuple(doubts), explicit, universal, reach, left == right, places, bounds)
+
+
+def _cancels(name: str, compared: Compared) -> bool:
+    """Whether a symbol is the same summand of both sides, so that nothing depends on it."""
+    left, relation, right = compared
+    if relation != "==" or not elementary(left, right):
+        return False
+    own = [side.args if side.op == "+" else (side,) for side in (left, right)]
+    rest = [one for side in own for one in side if one != symbol(name)]
+    alone = all(symbol(name) in side for side in own)
+    return alone and all(name not in symbols(one) for one in rest)
 
 
 def sought_on_path(left: Expr, relation: str, right: Expr, variable: str) -> set[str]:

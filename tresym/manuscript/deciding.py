@@ -464,9 +464,8 @@ def _of_both(
         both = f"in both readings of the formula, {one.link.read_as} and {other.link.read_as}"
         return replace(weaker, why=f"{weaker.why}; {both}")
     verdicts = {_verdict(found) for _, found in (first, second)}
-    chained_on = one.link.number > 1 and one.link.same  # the first link may be an equation
-    clear = chained_on and not one.link.ground.doubts and one.refuted
-    if verdicts == {Verdict.REFUTED.value} and clear:
+    clear = any(_is_clear(row) for row in (one, other))
+    if verdicts == {Verdict.REFUTED.value} and clear and one.link.number > 1:
         both = f"it fails in both readings, {one.link.read_as} and {other.link.read_as}"
         return replace(one, status="SUSPECT", why=f"{both}: {one.why}")
     told = " and ".join(
@@ -474,6 +473,16 @@ def _of_both(
     )
     why = f"two readings remain: {told}"
     return replace(one, status=UNREAD, why=why, witness=None, obstacle=Obstacle.TWO_READINGS)
+
+
+def _is_clear(row: Row) -> bool:
+    """Whether a failing reading relates the same symbols on both sides, without a doubt but that
+    a derivative in both of them was not read."""
+    link = row.link
+    kinds = {doubt.kind for doubt in link.ground.doubts}
+    if link.sides is not None and elementary(*link.sides[::2]):
+        kinds -= {accusations.DoubtKind.UNREAD}
+    return link.same and not kinds and bool(row.refuted)
 
 
 def _verdict(answers: list[Answer | InputError]) -> str:
