@@ -116,9 +116,7 @@ def _notation() -> Notation:
     from tresym.ledger.paper import Notation
     from tresym.racket import notation as own
 
-    return Notation(
-        own.LATEX, own.WORDS, own.WORDS_OF_PROOFS, alike=(own.a, own.b), first=("theta",)
-    )
+    return Notation(own.LATEX, own.WORDS, own.WORDS_OF_PROOFS, first=("theta",))
 
 
 def _figures() -> Any:

@@ -16,8 +16,6 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from sympy import Symbol
-
 from tresym.ledger.claim import Claim
 from tresym.reals.numbers.exact import InputError
 
@@ -47,14 +45,12 @@ class Notation(NamedTuple):
         latex: the LaTeX of a symbol whose name does not say it, by its name.
         words: what a symbol is, in words, by its name; ``words_of_proofs`` are those that only
             proofs use.
-        alike: two symbols that are easily confused, which false variants exchange.
         first: names of symbols whose functions stand first in a product.
     """
 
     latex: Mapping[str, str] = {}
     words: Mapping[str, str] = {}
     words_of_proofs: Mapping[str, str] = {}
-    alike: tuple[Symbol, ...] = ()
     first: tuple[str, ...] = ()
 
 

@@ -82,7 +82,7 @@ def test_conditions_behind_a_name_are_left_out_one_by_one(tmp_path: Path) -> Non
     stated = line("a + b > 0 given shape, x > 0", tmp_path)
     (place,) = (place for place in slips(stated) if place.name == "conditions")
     left = [len(stated.read(s.text, conditions=s.conditions).given) for s in place.slips]
-    assert left == [2, 2, 1, 2]
+    assert sorted(left) == [1, 2, 2, 2]
 
 
 def test_a_name_is_no_place_for_a_change(tmp_path: Path) -> None:

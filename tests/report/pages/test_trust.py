@@ -52,7 +52,7 @@ MUTANTS = {
 
 def test_the_page_says_what_became_of_false_variants(judged: Callable[..., Report]) -> None:
     page = trust(judged("eq_gamma"), None, mutants=MUTANTS)
-    assert "100 statements made false" in page
+    assert "100 false variants of 1 claims" in page
     assert "99 are refuted with a counterexample (99.0 %), none passed" in page
     assert "- `chart`, 0: it is not used." in trust_details(None, mutants=MUTANTS)
     slipped = [{"label": "eq_gamma", "place": "statement", "change": "a"}]

@@ -31,7 +31,7 @@ from tresym.ledger.evidence.refutation import Denied
 from tresym.papers.changed_lines import Line, lines_of
 from tresym.reals.numbers.exact import InputError
 
-DEPENDENTS = 4
+DEPENDENTS = 3
 """Claims that are judged with a changed definition."""
 
 

@@ -29,7 +29,7 @@ from tresym.reals.verdict import Verdict
 SECONDS, MOST = 0.5, 3.0
 """CPU seconds for the evidence of a mutant, or twice the time of the claim's own, but no more than
 these; as many for the search for a point at which it is false."""
-TRIES = 8
+TRIES = 5
 """Changes tried at one place to find those that are seen to be false."""
 BATCH = 4
 """Number of consecutive claims per task of a process; neighbours share mutants of their parts."""

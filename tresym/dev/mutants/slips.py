@@ -31,6 +31,8 @@ _WORDS = r"\b(?:and|given|in|along|within|exactly|at\s+most|at\s+least|one|stabl
 _APART = rf":=|<=>|\biff\b|{_SIGN}|->|[,;:']|{_WORDS}"
 _REASON = re.compile(r"\s+\[[^\[\]]*\]\s*$")
 _DECIMAL = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+SHORT = 60
+"""Characters of the longest expression that is quoted whole where it is changed."""
 _MIRRORED = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
 
@@ -100,7 +102,7 @@ def slips(line: Line) -> list[Place]:
     found.append(Place("relation", in_turn(relations)))
     if given is not None:
         inside += (_turned(text, _Stage(side)) for side in _cut(text, given, _SIGN)[1:])
-        found.append(Place("conditions", list(_dropped(line, given))))
+        found.append(Place("conditions", sorted(_dropped(line, given), key=_mixed)))
         found.append(Place("condition", in_turn(inside)))
     return found
 
@@ -233,7 +235,8 @@ def _edited(line: Line, stage: _Stage, span: Span, names: list[str]) -> Iterator
                 within = Span(span.start - stage.span.start, span.end - stage.span.start)
                 step = stage.before + within.replaced(stage.span.of(text), new).strip()
                 step += f" {text[_clauses(line)[0] :]}"
-            yield Slip(was, now, whole, step)
+            short = max(len(old), len(new)) <= SHORT
+            yield Slip(*((old, new) if short else (was, now)), whole, step)
 
 
 def _needs_brackets(text: str, span: Span) -> bool:
@@ -252,6 +255,10 @@ def _turned(text: str, stage: _Stage) -> Iterator[Slip]:
     for new in sorted(RELATIONS.get(old, ()), key=lambda sign: sign != _MIRRORED.get(old)):
         changed = f"{before[: match.start()]}{new}{text[stage.span.start :]}"
         yield Slip(old, new, changed)
+
+
+def _mixed(slip: Slip) -> int:
+    return crc32(slip.says.encode())
 
 
 def _dropped(line: Line, given: Span) -> Iterator[Slip]:

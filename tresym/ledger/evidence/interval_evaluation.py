@@ -14,7 +14,6 @@ from typing import Any, ClassVar
 from flint import arb, fmpq
 
 from tresym.ledger.claim import Claim
-from tresym.ledger.conversion import CircularError
 from tresym.ledger.evidence.box_bounds import closed, decisions_of
 from tresym.ledger.evidence.printed_numbers import Term, term_of
 from tresym.ledger.finding import Finding, Ruling
@@ -71,14 +70,6 @@ def _decided(terms: tuple[Term, ...], proof: Evaluated) -> tuple[BoxProof | Poin
         return decisions_of(bounds, proof.stored, proof.budget)
     with ball_precision(proof.precision):
         return tuple(BoxProof(BY_BALL) if t.value(()) > 0 else Open(()) for t in terms)
-
-
-def fails_at_once(claim: Claim) -> bool:
-    """Return whether the statement fails in the middle of its box or near one of its corners."""
-    try:
-        return _failing(tuple(_differences(claim)), Evaluated.precision) is not None
-    except (InputError, CircularError):
-        return False
 
 
 def _failing(terms: tuple[Term, ...], precision: int) -> tuple[Term, tuple[fmpq, ...], arb] | None:

@@ -258,11 +258,14 @@ def _safeguards(
         counts = mutants["counts"]
         total, refuted = sum(counts.values()), counts[Verdict.REFUTED.value]
         held = len(mutants["survivors"]) + len(mutants["stopped"])
+        changed = sum(row["changes"] > 0 for row in mutants["claims"])
         rows.append(
             (
                 "False variants of the claims",
-                f"{total:,} statements made false by changing a sign, a constant, a region or an "
-                f"order: {refuted:,} are refuted with a counterexample "
+                f"{total:,} false variants of {changed:,} claims, made by a change of their line "
+                "at one place, a sign, a number, an exponent, a function, a variable, a relation "
+                "or a condition: "
+                f"{refuted:,} are refuted with a counterexample "
                 f"({100 * refuted / max(total, 1):.1f} %), {held or 'none'} passed. "
                 "`tresym verify --mutants` repeats this.",
             )
