@@ -4,8 +4,9 @@ from itertools import permutations
 
 import pytest
 
-from tresym.coq.theorem_form import arranged, in_one_order
+from tresym.coq.theorem_form import arranged, entry_of_a_matrix, first_one_first, in_one_order
 from tresym.reals.language.expression import Expr
+from tresym.reals.language.formula import Relation
 from tresym.reals.language.parsing import parse
 from tresym.reals.language.sympy import unworked
 from tresym.reals.language.to_sympy import to_sympy
@@ -40,6 +41,12 @@ def test_a_bound_variable_keeps_its_name_and_the_terms_of_a_root_their_sides() -
     assert in_one_order(parse("root(-cos(z) + z**2, z, 0, 1)")) == in_one_order(e)
 
 
-def test_no_text_of_a_theorem_leaves_out_what_has_the_factor_zero() -> None:
-    assert str(arranged(parse("x*x + sin(a)/(b*a)"))) == "x**2 + 1/a/b*sin(a)"
-    assert str(arranged(parse("x*x + 0*log(a)"))) == "0*log(a) + x*x"
+def test_a_product_of_matrices_is_shown_with_what_has_the_factor_zero() -> None:
+    assert str(arranged(parse("x*x + sin(a)/(b*a) + 0*a"))) == "x**2 + 1/a/b*sin(a)"
+    assert str(entry_of_a_matrix(parse("x*x + 0*log(a)"))) == "0*log(a) + x*x"
+    assert str(entry_of_a_matrix(parse("x*x + log(a)"))) == "x**2 + log(a)"
+
+
+def test_an_equivalence_has_one_text() -> None:
+    first, second = (Relation(parse(p), "==", parse(q)) for p, q in (("x", "1"), ("x - 1", "0")))
+    assert first_one_first((second, first)) == first_one_first((first, second))

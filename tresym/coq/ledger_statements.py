@@ -30,7 +30,7 @@ from tresym.coq.statement import (
     Theorem,
     Wherever,
 )
-from tresym.coq.theorem_form import arranged
+from tresym.coq.theorem_form import arranged, entry_of_a_matrix, first_one_first
 from tresym.coq.theorem_trees import Part, defined
 from tresym.ledger.claim import (
     AllOf,
@@ -199,7 +199,15 @@ def _theorem_of(claim: Claim) -> Exported:
 def in_one_form(says: Any) -> Any:
     """Return a statement, or an expression, as trees in the form of the texts of theorems."""
     found = in_trees(says)
-    return arranged(found) if isinstance(found, Expr) else mapped(found, arranged)
+    if isinstance(found, Expr):
+        return arranged(found)
+    if isinstance(found, Together):
+        return Together(tuple(map(in_one_form, found.parts)))
+    if isinstance(found, Equivalent) and len(found.parts) == 2:
+        first, second = mapped(found, arranged).parts
+        if isinstance(first, Relation) and isinstance(second, Relation):
+            return Equivalent(first_one_first((first, second)))  # type: ignore[arg-type]
+    return mapped(found, entry_of_a_matrix if isinstance(found, EqualMatrices) else arranged)
 
 
 def _along(claim: Claim, kept: Sequence[Conserved]) -> Along:

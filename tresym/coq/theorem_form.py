@@ -2,10 +2,10 @@
 
 Coq's proofs are stored for the texts of their theorems, so that a theorem must have one text
 however its claim is written: ``1/(a*b)`` as ``1/a*1/b``, ``x*x`` as ``x**2``, and terms and factors
-in one order. The form is that of SymPy, which wrote the first texts, and where SymPy works more out
-than the form, such as ``0*x``, the order alone: numbers before pi, then symbols, powers, products,
-sums, and functions by name; operands of one kind by the number of their own operands, and then one
-by one. Only texts for Coq are made here; no verdict rests on them.
+in one order. The form is that of SymPy, which wrote the first texts, and where SymPy has no such
+expression, or works more out than the form, the order alone: numbers before pi, then symbols,
+powers, products, sums, and functions by name; operands of one kind by the number of their own
+operands, and then one by one. Only texts for Coq are made here; no verdict rests on them.
 
 Source of the order: SymPy, ``Basic.compare``.
 """
@@ -35,6 +35,7 @@ from tresym.reals.language.expression import (
     symbol,
     symbols,
 )
+from tresym.reals.language.formula import Relation
 from tresym.reals.language.sympy import unworked
 from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.numbers.exact import InputError
@@ -59,8 +60,8 @@ def arranged(e: Expr) -> Expr:
         >>> str(arranged(parse("x*x + sin(a)/(b*a)")))
         'x**2 + 1/a/b*sin(a)'
     """
-    if e in (INFINITY, -INFINITY) or _has_zero(e):
-        return in_one_order(e)
+    if e in (INFINITY, -INFINITY):
+        return e
     nodes = [node for node in outermost(e) if node.op == "root"]
     marks = {node: symbol(f"[{n}]") for n, node in enumerate(nodes)}
     try:
@@ -74,6 +75,23 @@ def arranged(e: Expr) -> Expr:
 def _arranged_root(e: Expr) -> Expr:
     names, body = _opened(e)
     return Expr("root", (bind(arranged(body), names), *map(arranged, e.args[1:])), e.names)
+
+
+def entry_of_a_matrix(e: Expr) -> Expr:
+    """Return an entry of a product of matrices, in which terms with the factor 0 stay."""
+    return in_one_order(e) if _has_zero(e) else arranged(e)
+
+
+def first_one_first(sides: tuple[Relation, Relation]) -> tuple[Relation, Relation]:
+    """Return the two sides of an equivalence in one order, that of the texts of theorems."""
+    from sympy import Eq
+    from sympy.core.sorting import ordered
+
+    try:
+        made = [Eq(*map(to_sympy, p[::2]), evaluate=False) for p in sides]
+    except InputError:
+        return sides
+    return sides if next(iter(ordered(made))) == made[0] else (sides[1], sides[0])
 
 
 def _has_zero(e: Expr) -> bool:
