@@ -155,6 +155,12 @@ def _enclosed(a: Any, b: Any) -> tuple[str, str]:
     return between(a, b)
 
 
+def _derivations() -> Any:
+    from tresym.proofs import sympy_derivations
+
+    return sympy_derivations.routes()
+
+
 def __getattr__(name: str) -> Any:
     """Make ``PAPER`` when it is first asked for, since it loads the ledger and SymPy.
 
@@ -183,5 +189,6 @@ def __getattr__(name: str) -> Any:
         _coq_files,
         _enclosed,
         _values_of,
+        _derivations,
     )
     return made

@@ -22,10 +22,11 @@ SHAPE = {I1: I2 / (1 + a), I3: I2 / (1 - b)}
 
 
 class Step(NamedTuple):
-    """A step of a derivation: what is done, and what results."""
+    """A step of a derivation: what is derived, in LaTeX, what results, and how."""
 
-    words: str
+    name: str
     result: Expr
+    how: str
 
 
 def rotation() -> Matrix:
@@ -44,6 +45,17 @@ def momentum() -> tuple[Expr, Expr, Expr]:
     return first, second, third
 
 
+def tidied(e: Expr) -> Expr:
+    """A product with the factors 1 − b sin²ψ and 1 − x in place of b sin²ψ − 1 and x − 1."""
+    sign, found = 1, []
+    for factor in sympy.Mul.make_args(sympy.factor(e)):
+        base, n = factor.as_base_exp()
+        turned = base.is_Add and n.is_Integer and base.as_coeff_Add()[0] < 0
+        sign *= (-1) ** n if turned else 1
+        found.append((-base) ** n if turned else factor)
+    return sign * sympy.Mul(*found)
+
+
 def reduced(e: Expr) -> Expr:
     """A polynomial in sines and cosines with cos² replaced by 1 − sin², for each angle."""
     for angle in (theta, phi, psi):
@@ -54,7 +66,7 @@ def reduced(e: Expr) -> Expr:
 @cache
 def planar_system() -> tuple[Step, ...]:
     """The rates of the Euler angles, and dθ/dφ and dψ/dφ in terms of the shape."""
-    rates = symbols("thetadot phidot psidot", real=True)
+    rates = symbols("dtheta_dt dphi_dt dpsi_dt", real=True)
     turned = rotation()
     moved = sum(
         (turned.diff(angle) * rate for angle, rate in zip((theta, phi, psi), rates, strict=True)),
@@ -74,12 +86,25 @@ def planar_system() -> tuple[Step, ...]:
     phi_dot = solved(lambda _, w2, w3: w3 * sin(psi) - w2 * cos(psi), rates[1])
     psi_dot = solved(lambda w1, *_: w1, rates[2]).subs(rates[1], phi_dot)
     by_shape = [reduced(rate.subs(SHAPE)) for rate in (theta_dot, phi_dot, psi_dot)]
+    spins = (
+        Step(rf"\Omega_{n}", e, "an entry of RᵀdR/dt, with R = R_z(φ) R_y(θ) R_z(ψ)")
+        for n, e in enumerate(by_rates, 1)
+    )
+    moments = (
+        Step(f"M_{n}", e, "a component of Rᵀ(0, 0, M)ᵀ") for n, e in enumerate(momentum(), 1)
+    )
     return (
-        Step("dθ/dt, from RᵀdR/dt and Ω = M/I", theta_dot),
-        Step("dφ/dt", phi_dot),
-        Step("dψ/dt", sympy.factor(psi_dot)),
-        Step("dθ/dφ", sympy.factor(by_shape[0] / by_shape[1])),
-        Step("dψ/dφ", sympy.factor(by_shape[2] / by_shape[1])),
+        *spins,
+        *moments,
+        Step(r"\dot\theta", theta_dot, "from I₂Ω₂ = M₂ and I₃Ω₃ = M₃, without dφ/dt"),
+        Step(r"\dot\phi", phi_dot, "from the same two equations, without dθ/dt"),
+        Step(r"\dot\psi", sympy.factor(psi_dot), "from I₁Ω₁ = M₁"),
+        Step(
+            r"\frac{d\theta}{d\phi}",
+            tidied(by_shape[0] / by_shape[1]),
+            "their quotient, with I₁ = I₂/(1 + a) and I₃ = I₂/(1 − b)",
+        ),
+        Step(r"\frac{d\psi}{d\phi}", tidied(by_shape[2] / by_shape[1]), "likewise"),
     )
 
 
@@ -90,8 +115,9 @@ def constant_of_motion() -> tuple[Step, ...]:
     *_, along_theta, along_psi = planar_system()
     along = diff(level, theta) * along_theta.result + diff(level, psi) * along_psi.result
     return (
-        Step("γ = 2I₂E/M² − 1", level),
-        Step("dγ/dφ", sympy.factor(along)),
+        Step("E", energy, "from E = M₁²/(2I₁) + M₂²/(2I₂) + M₃²/(2I₃)"),
+        Step(r"\gamma", level, "from γ = 2I₂E/M² − 1, in terms of a and b"),
+        Step(r"\frac{d\gamma}{d\phi}", sympy.factor(along), "by the chain rule along the system"),
     )
 
 
@@ -107,10 +133,14 @@ def integral_in_x() -> tuple[Step, ...]:
     root = sympy.factor(sympy.expand(a + b * square))
     outside = sympy.powsimp(sqrt(b) / mu) / sqrt(sympy.cancel(root / (1 - x**2)))
     return (
-        Step("−b f(ψ) dψ/dx by s = sin ψ", in_s),
-        Step("a + b sin²ψ by x", root),
-        Step("(1 − b sin²ψ)/sin²ψ by x", rational),
-        Step("the integrand in x", sympy.expand(outside * rational) / sqrt(1 - x**2)),
+        Step(r"-bf(\psi)\frac{d\psi}{dx}", tidied(in_s), "with s for sin ψ"),
+        Step(r"a+bs^2", tidied(root), "as s² = 1 − x²(a + b)/b"),
+        Step(r"\frac{1-bs^2}{s^2}", rational, "likewise"),
+        Step(
+            r"-bf(\psi)\frac{d\psi}{dx}",
+            sympy.expand(outside * rational) / sqrt(1 - x**2),
+            "the integrand in x",
+        ),
     )
 
 
@@ -137,13 +167,34 @@ def antiderivative_of_slope() -> tuple[Step, ...]:
     powers = sympy.Poly(sympy.expand(cleared), t, w).coeffs()
     found = sympy.solve(powers, (first, second), dict=True)[0]
     size, factor = (sympy.factor(found[c]) for c in (first, second))
+    log_t = log((sqrt(a) * t + sqrt(square)) / sqrt(1 - t**2))
+    ansatz = first * t * sqrt(square) / (1 - t**2) + second * log_t
     root = sqrt(a + b * sin(psi) ** 2)
     logarithm = log((sqrt(a) * cos(psi) + root) / sin(psi))
     return (
-        Step("∂f/∂γ at γ = 0, by s = sin ψ", sympy.factor(slope)),
-        Step("A", size),
-        Step("B", factor),
-        Step("the antiderivative", size * cos(psi) * root / sin(psi) ** 2 + factor * logarithm),
+        Step(
+            r"\left.\frac{\partial f}{\partial\gamma}\right|_{\gamma=0}",
+            tidied(slope),
+            "with s for sin ψ",
+        ),
+        Step("g", ansatz, "an antiderivative with t for cos ψ, if A and B are right"),
+        Step("A", size, "so that dg/dψ is this slope: the powers of t are compared"),
+        Step("B", factor, "likewise"),
+        Step(
+            r"\int\left.\frac{\partial f}{\partial\gamma}\right|_{\gamma=0}d\psi",
+            size * cos(psi) * root / sin(psi) ** 2 + factor * logarithm,
+            "g with these coefficients",
+        ),
+    )
+
+
+def routes() -> tuple[tuple[str, tuple[Step, ...]], ...]:
+    """The derivations in the order of the paper, each with a title."""
+    return (
+        ("The planar system", planar_system()),
+        ("The constant of motion", constant_of_motion()),
+        ("The integral in x = √(b/(a + b)) cos ψ", integral_in_x()),
+        ("The antiderivative of ∂f/∂γ", antiderivative_of_slope()),
     )
 
 
@@ -152,4 +203,5 @@ __all__ = [
     "constant_of_motion",
     "integral_in_x",
     "planar_system",
+    "routes",
 ]

@@ -87,6 +87,8 @@ class Paper:
         coq_files: further files of Coq, by name.
         enclosed: for Coq, two decimals between which the root of a shape lies.
         named: returns what a module of it names, by name, or another that its files use.
+        derivations: its main formulas derived by another system: for each a title and steps, which
+            have a name in LaTeX, a result, and how it is found, in words.
     """
 
     name: str
@@ -103,6 +105,7 @@ class Paper:
     coq_files: Callable[[], Mapping[str, str]] = _nothing
     enclosed: Callable[..., tuple[str, str]] | None = None
     named: Callable[[str], Mapping[str, Any]] = lambda module: {}
+    derivations: Callable[[], Iterable[tuple[str, Iterable[Any]]]] = tuple
 
     def all_claims(self, labels: Iterable[str] = ()) -> tuple[Claim, ...]:
         """Return the claims, each after the claims that it depends on.

@@ -20,8 +20,9 @@ from tresym.ledger.verification import Report, Row
 from tresym.report.pages import ledger_document, templates
 from tresym.report.pages.article_markdown import article_markdown
 from tresym.report.pages.corrections import FAULTS
-from tresym.report.pages.derivation import prose
+from tresym.report.pages.derivation import LINE, alone, prose
 from tresym.report.typesetting.formula_width import width
+from tresym.report.typesetting.latex import expression_latex
 from tresym.report.typesetting.markdown_from_latex import markdown_from_latex
 from tresym.report.typesetting.paper_location import place_text
 from tresym.report.typesetting.statements import said
@@ -95,6 +96,7 @@ def templates_of(report: Report, form: str = "latex") -> templates.Templates:
     tables = racket().tables()
     pieces: dict[str, Callable[..., str]] = {
         "corrections": lambda: "\n".join(_corrected(rows)),
+        "derivations": lambda: "\n".join(_derived_otherwise()),
         "table": lambda name: _labelled(name) + tables.written(tables.table(name), form),
     }
     return templates.Templates(rows, racket().numbers() | _counts(), pieces)
@@ -179,6 +181,23 @@ def _correction(correction: Correction, rows: dict[str, Row]) -> Iterator[str]:
     told = [text + _mark(rows[each.label]) for each in true if (text := _in_a_line(each))][:MOST]
     if told:
         yield rf"\emph{{True instead:}} {'. '.join(told)}."
+
+
+def _derived_otherwise() -> Iterator[str]:
+    """The derivations by another system, each step with its result and how it is found."""
+    for title, steps in racket().derivations():
+        yield rf"\paragraph{{{prose(title)}.}}"
+        yield r"\begin{enumerate}[leftmargin=*,itemsep=2pt]\small\raggedright"
+        for step in steps:
+            formula = f"{step.name} = {expression_latex(step.result)}"
+            if width(formula) < LINE / 2:
+                yield rf"\item ${formula}$, {prose(step.how)}."
+            else:
+                shown = alone(formula, templates.SHARE)
+                how = step.how[0].upper() + step.how[1:]
+                yield rf"\item {prose(how)}:"
+                yield f"\\begin{{equation*}}\n{shown}\n\\end{{equation*}}"
+        yield r"\end{enumerate}"
 
 
 def _mark(row: Row) -> str:
