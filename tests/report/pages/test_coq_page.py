@@ -36,7 +36,7 @@ def test_the_page_says_what_is_proved_and_which_premises_stay() -> None:
     page = coq_page.page()
     proved = sum(entry.status == "proved" for entry in coq_page.found().values())
     assert f"Coq proves {proved} of the {len(coq_page.found())} claims (checked with " in page
-    assert f"{trusted(coq_page.STATEMENTS)[0].total:,} lines of Python turn a claim" in page
+    assert f"{trusted(coq_page.STATEMENTS):,} lines of Python turn a claim" in page
     label, entry = next(
         (n, e) for n, e in coq_page.found().items() if e.undefined and e.status == "proved"
     )

@@ -22,9 +22,7 @@ from tresym.reals.balls.tracing import Named
 from tresym.reals.language.expression import symbol
 from tresym.reals.verdict import Verdict
 from tresym.report.pages import coq_page
-from tresym.report.pages.trusted_code import CHECK, LEDGER, RECHECKED, Count, trusted
-
-WHAT = ("PROVED", "ENCLOSED: additional")
+from tresym.report.pages.trusted_code import trusted
 
 
 def trust(
@@ -43,7 +41,6 @@ def trust(
     """
     parts = (
         _answer(report),
-        _code(),
         _safeguards(guards, hunts, mutants),
         _quoted(report),
         _sentences(report),
@@ -57,10 +54,7 @@ def trust_details(
     mutants: Mapping[str, Any] | None = None,
 ) -> str:
     """Write the appendix of the trust page; the arguments are those of :func:`trust`."""
-    proved, enclosed = trusted()
     parts = [
-        _left_out(),
-        _libraries(proved, enclosed),
         _programs(),
         _few(mutants) if mutants else (),
         _guards(guards) if guards else (),
@@ -76,8 +70,7 @@ def _answer(report: Report) -> list[str]:
     marks = [coq_page.mark(row, known) for row in report.rows]
     whole = [mark for mark in marks if mark is not None and mark["status"] == "proved"]
     checked, quoting = len(whole), sum(bool(mark["quoted"]) for mark in whole)
-    statements = trusted(coq_page.STATEMENTS)[0].total
-    proved, enclosed = trusted(LEDGER)
+    statements = trusted(coq_page.STATEMENTS)
     return [
         f"**For {checked} of {len(labels)} claims** you have to trust Coq, its libraries, and the "
         f"{statements:,} lines of Python that turn a claim into a Coq statement; such a statement "
@@ -87,10 +80,13 @@ def _answer(report: Report) -> list[str]:
             * bool(quoting)
         )
         + ". **For the other "
-        f"{len(labels) - checked}** you have to trust Python, the libraries named below, and "
-        f"{proved.total:,} lines of tresym for the verdict PROVED, or {enclosed.total:,} more for "
-        "ENCLOSED. **For all of them** you have to agree that the formula shown beside a sentence "
-        "of the paper says what the sentence says."
+        f"{len(labels) - checked}** you have to trust Python, the library python-flint for "
+        "polynomials and ball arithmetic, and tresym. **For all of them** you have to agree that "
+        "the formula shown beside a sentence of the paper says what the sentence says.",
+        "",
+        f"Code that issues verdicts can reach {trusted():,} lines of tresym. Comments, docstrings "
+        "and blank lines do not count. Much of that code only searches, and code that is short "
+        "checks what it finds; it is counted all the same.",
     ]
 
 
@@ -98,61 +94,6 @@ def _table(heads: Sequence[str], rows: Iterable[Sequence[object]], right: int = 
     """A Markdown table; columns from number ``right`` on are aligned to the right."""
     rule = ["--:" if k >= right else "---" for k in range(len(heads))]
     return [f"| {' | '.join(map(str, row))} |" for row in (heads, rule, *rows)]
-
-
-def _code() -> list[str]:
-    """How many lines must be correct, by package."""
-    counts = (*trusted(LEDGER), *trusted(CHECK))
-    sums = [Counter[str]() for _ in counts]
-    for total, count in zip(sums, counts, strict=True):
-        for file, lines in count.lines.items():
-            total[_package(file)] += lines
-    packages = sorted(set().union(*sums))
-    rows = [(f"`{package}`", *(total[package] for total in sums)) for package in packages]
-    heads = [f"{whose}, {what}" for whose in ("ledger", "`check`") for what in WHAT]
-    return [
-        "## How much code",
-        "",
-        "A line counts if code that issues verdicts can reach it, directly or through the "
-        "functions it calls. A class is counted in full. Comments, docstrings and blank lines do "
-        "not count. "
-        "Code that only searches is left out, because what it finds is checked by code that is "
-        "counted; the [appendix](trust-details.md) lists it.",
-        "",
-        *_table(("package", *heads), (*rows, ("all", *(c.total for c in counts))), 1),
-    ]
-
-
-def _package(file: str) -> str:
-    parts = file.split(".")[:-1]
-    return "/".join(parts[:2]) or file
-
-
-def _left_out() -> list[str]:
-    """Code that is called but not counted, one row for each reason."""
-    return [
-        "## Code that only searches",
-        "",
-        "Code that issues verdicts also calls the functions below. They cannot by themselves make "
-        "a false statement pass, so they are not counted.",
-        "",
-        *_table(("what", "why"), ((_names(names), why) for why, names in RECHECKED.items())),
-    ]
-
-
-def _libraries(proved: Count, enclosed: Count) -> list[str]:
-    more = sorted({*enclosed.flint} - {*proved.flint})
-    return [
-        "## Libraries",
-        "",
-        f"python-flint, for PROVED: {_names(proved.flint)}.",
-        "",
-        f"python-flint, for ENCLOSED also: {_names(more)}.",
-        "",
-        f"SymPy, which stores the claims of the ledger and decides none: {_names(proved.sympy)}.",
-        "",
-        "Python itself, and the processor.",
-    ]
 
 
 def _names(names: Iterable[str]) -> str:

@@ -3,202 +3,39 @@
 A *piece* is a function, method, class or constant. The roots are the functions that issue verdicts.
 A piece is reached if a reached piece names it. A method is also reached if its class is reached and
 a reached piece uses an attribute of that name, or if a method of its class or of a base of it looks
-up attributes of ``self`` by computed names. Code that only searches, so that its results are
-checked by counted code, is left out by name, each with a reason (:data:`RECHECKED`).
-
-``python -m tresym.report.pages.trusted_code`` prints the count.
+up attributes of ``self`` by computed names. Code that only searches, so that other code checks what
+it finds, is counted with the rest.
 """
 
 from __future__ import annotations
 
 import ast
-from collections import Counter
 from collections.abc import Collection, Iterator
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-import flint
-
 import tresym
 
-LEDGER = ("ledger.judge.judge", "ledger.judge.judge_evidence")
-"""The functions that issue verdicts on claims of the ledger."""
-CHECK = ("checking.dispatch.decide_claim",)
-"""The functions that issue verdicts on a user's claim."""
-ROOTS = (*LEDGER, *CHECK)
-
-ENCLOSING = (
-    "reals.balls",
-    "reals.decisions.inequalities_on_regions",
-    "asymptotics.order_claims",
-    "reals.expansions.leading_terms",
-    *(
-        "reals.expansions.truncated_series.Enclosure",
-        "reals.expansions.truncated_series.Size",
-    ),
-    "reals.expansions.scale.Scale.written",
-    *(
-        f"reals.expansions.series_arithmetic.SeriesArithmetic.{name}"
-        for name in ("enclosure", "_enclosed", "largest")
-    ),
-    *(
-        f"reals.expansions.series_arithmetic.SeriesArithmetic._{name}"
-        for name in ("height", "along_chain", "element")
-    ),
-    *(
-        f"reals.expansions.series_arithmetic.SeriesArithmetic.{name}"
-        for name in ("size", "_size", "_raised")
-    ),
-    *(
-        f"reals.expansions.series_arithmetic.SeriesArithmetic._{name}"
-        for name in ("times", "total", "term", "whole")
-    ),
-    "reals.expansions.series_arithmetic.SeriesArithmetic._bounded",
-    *("reals.decisions.inequalities._apart", "reals.decisions.inequalities._one_period"),
-    "reals.decisions.inequalities._shown_under",
-    *("reals.decisions.integrals._by_quadrature", "asymptotics.path_claims._theta"),
-    *(
-        "ledger.evidence.box_bounds",
-        "ledger.evidence.chart_bounds",
-        "ledger.evidence.interval_evaluation",
-    ),
-    "ledger.evidence.printed_numbers",
-    *(f"reals.domain.binder_values.{name}" for name in ("bracketed", "bracket", "value")),
-    "ledger.evidence.allowed_evidence._other_meaning",
-)
-"""Packages, modules and functions on which no verdict PROVED depends."""
-
-RECHECKED = {
-    "it translates input into the text grammar; the text is shown, parsed again and decided": (
-        *("reals.language.latex", "reals.language.latex_cursor", "reals.language.latex_grammar"),
-        *("reals.language.latex_ambiguity", "reals.language.latex_author"),
-        *("reals.language.latex_operands", "reals.language.latex_tokens"),
-        *("reals.language.unicode_input", "reals.language.claims.as_written"),
-        *("reals.language.expression._text", "reals.language.expression.Expr.__str__"),
-        "reals.language.expression.Expr.__repr__",
-    ),
-    "the independent numerical check can withdraw a verdict but never gives one": (
-        *("checking.claim_cross_check", "reals.cross_check", "ledger.judge._attacked"),
-        "reals.decisions.definedness_check",
-    ),
-    "it proposes sample points; a point counts only after its conditions are verified there": (
-        *("reals.domain.sample_points._sample", "reals.domain.sample_points.corners"),
-        *(
-            "reals.domain.narrow_regions",
-            "reals.domain.local_search",
-            "ledger.counterexamples.somewhere",
-        ),
-        *("reals.domain.conditions.Given._far", "reals.normal.locally_constant._middle"),
-    ),
-    "its result is checked: products multiplied out, subdivisions replayed, steps proved": (
-        *("reals.normal.denesting", "reals.balls.branch_and_bound._found"),
-        "reals.signs.transformations.equivalents",
-        *("reals.signs.structural.Parts._ways", "reals.signs.structural.Parts._multiples"),
-        *("reals.domain.binder_values._approximation", "reals.domain.binder_values._change"),
-        "reals.decisions.antiderivatives",
-        *(
-            "ledger.evidence.printed_numbers._find_inputs",
-            "ledger.evidence.printed_numbers._between",
-        ),
-        "ledger.evidence.chain._as_meant",
-        *(f"reals.normal.powers.Powers.{n}" for n in ("_multiples", "_share")),
-        "reals.normal.rational_basis.RationalBasis._solution",
-        *("reals.normal.angles.Angles._signed_multiples", "reals.normal.constants._groups"),
-    ),
-    "it proposes a point or a split; where it lies and what holds there is verified": (
-        *(
-            "reals.signs.taylor._bases",
-            "reals.language.solve",
-            "reals.balls.simplest_constants.candidates",
-        ),
-        *("reals.normal.to_expression.numerator",),
-        *("reals.decisions.integration_pieces._cuts", "reals.decisions.integration_pieces._roots"),
-        *("reals.decisions.integration_pieces._turns", "reals.signs.polynomials._least"),
-        "reals.numbers.exact.Interval.simplest",
-    ),
-    "it only skips a search that would fail, or estimates the cost of one": (
-        "reals.normal.sign_proofs.SignProver._changes_sign",
-        *("reals.decisions.identity._generator_count", "reals.signs.taylor._seen"),
-    ),
-    "it can only refute": (
-        "checking.point_check",
-        "asymptotics.refutation_check",
-        "asymptotics.numerical_evidence",
-        *(f"reals.expansions.leading_terms.{name}" for name in ("_fails_at_a_phase", "_phases")),
-        "asymptotics.path_claims._at_integers",
-        "reals.decisions.waves.differ",
-        *("reals.decisions.identity._refutation", "reals.decisions.answer.refuted"),
-        *("reals.signs.discontinuities.Case.point", "checking.dispatch._exact"),
-        *("reals.decisions.inequalities._at_corners", "reals.decisions.inequalities._refuted_at"),
-        *("reals.decisions.inequalities._in_cells", "reals.decisions.algebraic_witnesses"),
-        *("reals.decisions.inequalities._zero_between", "ledger.refutations.refute"),
-        "ledger.evidence.refutation",
-        "ledger.evidence.deductions._refuted",
-        *("ledger.evidence.asymptotics._expanded", "ledger.refutations.refuted_part"),
-        "ledger.judged_roots._refuted_slope",
-        *("reals.decisions.equations._with_value", "reals.decisions.algebraic_witnesses"),
-        *(
-            "asymptotics.path_claims._fails_beside",
-            "asymptotics.periodic_counterexamples.failure_where_waves_return",
-        ),
-        *(
-            "reals.decisions.unknown_functions._realised",
-            "reals.decisions.readable_witnesses.exact_witness",
-        ),
-    ),
-    "it records the place and kind of a claim, and the expected verdict": (
-        *(f"ledger.claim.{name}" for name in ("Place", "display", "line", "Fault", "_kind")),
-        *("ledger.claim._expected", "ledger.claim.AllOf.expect", "ledger.claim.asked_by"),
-    ),
-    "it prints an answer": (
-        *("reals.decisions.answer.Answer.rows", "reals.decisions.answer.Answer.__str__"),
-        *("reals.decisions.answer.ball_text", "reals.signs.discontinuities.Case.__str__"),
-        "reals.decisions.identity._counted",
-    ),
-    "it writes error messages": (
-        "ledger.definitions._where",
-        *("reals.language.suggestions", "reals.decisions.identity.no_point"),
-        *("reals.decisions.identity._obstacle", "checking.dispatch._mistaken"),
-    ),
-}
-"""Packages, modules and pieces that are left out of the count, by the reason."""
+ROOTS = ("ledger.judge.judge", "ledger.judge.judge_evidence", "checking.dispatch.decide_claim")
+"""The functions that issue verdicts, on claims of the ledger and on a user's claim."""
 
 Piece = tuple[str, str]
 
 
-class Count(NamedTuple):
-    """Lines of code by module, and the names of libraries that this code calls."""
-
-    lines: dict[str, int]
-    flint: tuple[str, ...]
-    sympy: tuple[str, ...]
-
-    @property
-    def total(self) -> int:
-        """The sum over all modules."""
-        return sum(self.lines.values())
-
-
 @cache
-def trusted(roots: Collection[str] = ROOTS) -> tuple[Count, Count]:
-    """Count the code that verdicts depend on.
+def trusted(roots: Collection[str] = ROOTS) -> int:
+    """Return the number of lines of code that functions depend on.
 
     Args:
-        roots: full names of the functions that issue verdicts, without the leading ``tresym.``.
-
-    Returns:
-        What must be correct for PROVED, and what must be correct in addition for ENCLOSED.
+        roots: full names of the functions, without the leading ``tresym.``.
     """
-    found = {name for names in RECHECKED.values() for name in names}
-    proving = reached({*found, *ENCLOSING}, roots)
-    return counted(proving), counted(reached(found, roots) - proving)
+    return counted(reached(roots))
 
 
-def reached(without: Collection[str], roots: Collection[str] = ROOTS) -> set[Piece]:
-    """Return all pieces that can be reached from ``roots`` without passing through ``without``."""
+def reached(roots: Collection[str] = ROOTS) -> set[Piece]:
+    """Return all pieces that can be reached from ``roots``."""
     seen: set[Piece] = set()
-    found: set[Piece] = set()
     attributes: set[str] = set()
     waiting = [piece_of(name) for name in roots]
     # A newly reached attribute name may make methods of classes reached earlier count, so the
@@ -209,15 +46,13 @@ def reached(without: Collection[str], roots: Collection[str] = ROOTS) -> set[Pie
             if piece in seen:
                 continue
             seen.add(piece)
-            if not any(_within(".".join(piece), name) for name in without):
-                found.add(piece)
-                waiting += _named_in(*piece)
-                attributes |= _attributes(*piece)
-        picking = {(file, name.rpartition(".")[0]) for file, name in found if _picks(file, name)}
-        picking |= {piece for piece in found if not picking.isdisjoint(_bases(*piece))}
-        named = {m for m in _methods(found) if _is_meant(m[1], attributes)}
+            waiting += _named_in(*piece)
+            attributes |= _attributes(*piece)
+        picking = {(file, name.rpartition(".")[0]) for file, name in seen if _picks(file, name)}
+        picking |= {piece for piece in seen if not picking.isdisjoint(_bases(*piece))}
+        named = {m for m in _methods(seen) if _is_meant(m[1], attributes)}
         waiting = [*({*_methods(picking), *named} - seen)]
-    return found
+    return seen
 
 
 def _methods(found: Collection[Piece]) -> Iterator[Piece]:
@@ -276,22 +111,16 @@ def piece_of(name: str) -> Piece:
     return file, rest
 
 
-def counted(pieces: Collection[Piece]) -> Count:
-    """Count lines without comments, docstrings and blank lines; collect the library names used."""
+def counted(pieces: Collection[Piece]) -> int:
+    """Return the number of lines of pieces, without comments, docstrings and blank lines."""
     lines: dict[str, set[int]] = {}
-    flint_names: set[str] = set()
-    sympy_names: set[str] = set()
     for file, name in pieces:
         source = _file(file)
-        node = source.pieces[name]
-        whole = _lines(node)
+        whole = _lines(source.pieces[name])
         for _, method in _methods({(file, name)}):
             whole -= _lines(source.pieces[method])
         lines.setdefault(file, set()).update(whole & source.code)
-        flint_names |= _flint_names(node, source)
-        sympy_names |= {n for n in _names(node) if source.imported.get(n, "").startswith("sympy.")}
-    per_file = {file: len(found) for file, found in sorted(lines.items())}
-    return Count(per_file, tuple(sorted(flint_names)), tuple(sorted(sympy_names)))
+    return sum(map(len, lines.values()))
 
 
 def _lines(node: ast.stmt) -> set[int]:
@@ -388,26 +217,6 @@ def _names(node: ast.AST) -> frozenset[str]:
     }
 
 
-def _flint_names(node: ast.stmt, source: _File) -> set[str]:
-    """Types of python-flint that are named, and attributes that are methods of such types."""
-    types = {n for n in _names(node) if source.imported.get(n, "").startswith("flint.")}
-    methods = {n.attr for n in _nodes(node) if isinstance(n, ast.Attribute)}
-    return types | {f".{name}" for name in methods & _flint_methods()}
-
-
-@cache
-def _flint_methods() -> frozenset[str]:
-    """Public methods of python-flint's types, except those that Python's own types have too."""
-    types = [t for t in vars(flint).values() if isinstance(t, type)]
-    own = {name for t in (str, dict, list, set, tuple, int, Counter) for name in dir(t)}
-    return frozenset(n for t in types for n in dir(t) if not n.startswith("_")) - own
-
-
-def _within(name: str, whole: str) -> bool:
-    """Whether a piece is ``whole`` or part of it."""
-    return name == whole or name.startswith(f"{whole}.")
-
-
 @cache
 def _is_file(name: str) -> bool:
     path = _home().joinpath(*name.split("."))
@@ -417,18 +226,3 @@ def _is_file(name: str) -> bool:
 @cache
 def _home() -> Path:
     return Path(tresym.__file__).resolve().parent
-
-
-def main() -> None:
-    """Print the count, module by module."""
-    for whose, roots in (("the ledger", LEDGER), ("check", CHECK)):
-        proved, enclosed = trusted(roots)
-        print(f"{proved.total:5} PROVED, {enclosed.total} additional for ENCLOSED: {whose} alone")
-    for verdict, count in zip(("PROVED", "ENCLOSED, additional"), trusted(), strict=True):
-        print(f"{count.total:5} {verdict}")
-        for file, lines in sorted(count.lines.items(), key=lambda item: -item[1]):
-            print(f"{lines:5}   {file}")
-
-
-if __name__ == "__main__":
-    main()
