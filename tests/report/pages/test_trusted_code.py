@@ -32,7 +32,7 @@ def test_what_issues_verdicts_reaches_what_decides_and_what_only_searches() -> N
 
 def test_statements_for_coq_are_made_without_deciders() -> None:
     makers = {"coq.export", "coq.ledger_statements", "coq.statement", "coq.theorem_trees"}
-    makers |= {"coq.implicit_statements", "coq.solution_statements"}
+    makers |= {"coq.implicit_statements", "coq.solution_statements", "coq.theorem_form"}
     files = {file for file, _ in reached(STATEMENTS)}
     assert {name for name in files if name.startswith("coq.")} - makers <= {"coq.coqtop"}
     others = {tuple(name.split(".")[:2]) for name in files}
