@@ -45,7 +45,7 @@ RESTS = [
     (by(substituting(A, B), citing(A)), [A, B]),
     (derived(step(x, substituting(B)), step(y, citing(A))), [B, A]),
     (by(substituting(A), collecting(B)), [A, B]),
-    (ImplicitFunction(A, x, y, Integer(0), ()), [A]),
+    (ImplicitFunction(A, x, y, Integer(0)), [A]),
     (all_of(A, B), [A, B]),
     (Decided((A,)), [A]),
     (Definition(), []),

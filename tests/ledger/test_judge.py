@@ -102,7 +102,7 @@ def test_a_derivative_is_not_taken_at_equal_values() -> None:
 
 def test_right_steps_between_wrong_ends() -> None:
     right = step((a - b) * (a + b), algebra)
-    assert verdict(claim(equal(a**2 - b**2, a**2 + b**2), (right,))) is Verdict.REFUTED
+    assert verdict(claim(equal(a**2 - b**2, a**2 + b**2), derived(right))) is Verdict.REFUTED
     late = derived(step(a**2 - b**2), step((a - b) * (a + b)))
     assert verdict(claim(equal(a**2 + b**2, (a - b) * (a + b)), late)) is Verdict.REFUTED
 

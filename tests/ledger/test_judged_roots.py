@@ -96,7 +96,7 @@ def slope_of(left: Any, right: Any, slope: Any, *given: Any, **changes: Any) -> 
     """y is a function of x by left = right; what is claimed of its slope r at x = 0."""
     equation = Claim("equation", equal(left, right), by(), given=given)
     says = -Subs(Derivative(left, x), x, 0) / Derivative(left.subs(x, 0), y)
-    proof = ImplicitFunction(equation, y, x, Integer(0), ())
+    proof = ImplicitFunction(equation, y, x, Integer(0))
     planted = Claim("slope", equal(r, says), proof, given=given)
     return judge(replace(planted, **changes), {"equation": Finding(Verdict.PROVED, "")})
 

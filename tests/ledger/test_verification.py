@@ -19,23 +19,18 @@ from tresym import proofs
 from tresym.ledger.claim import (
     Chain,
     Claim,
-    ImplicitFunction,
     Root,
     Step,
-    chains_of,
     equal,
 )
-from tresym.ledger.conversion import Conditions, formula, tree
+from tresym.ledger.conversion import Conditions, formula
 from tresym.ledger.conversion import conditions as relations
 from tresym.ledger.counterexamples import put_in, rules_of
-from tresym.ledger.evidence.chain import check_chain
+from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.paper import all_claims, racket
 from tresym.ledger.statements import ForSome
 from tresym.ledger.verification import Report, graph, verify
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language.binders import derivative
-from tresym.reals.language.expression import substitute
-from tresym.reals.language.formula import Relation
 from tresym.reals.language.formula import relations as comparisons
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -79,52 +74,12 @@ def test_a_claim_is_listed_where_it_is_stated() -> None:
 
 def parts(claim: Claim) -> list[tuple[sympy.Basic, Chain]]:
     """The chains of a claim with what each must show."""
-    proof = claim.proof
-    if isinstance(proof, ImplicitFunction) and proof.slope:
-        left = proof.equation.says.lhs.xreplace({proof.parameter: proof.at})
-        slope = sympy.Derivative(left, proof.unknown)
-        return [(equal(slope, proof.slope[-1].expression), proof.slope)]
-    return list(chains_of(claim.statement, proof)) if isinstance(proof, tuple) else []
+    steps = claim.proof.steps if isinstance(claim.proof, Decided) else ()
+    return list(zip(claim.parts, steps, strict=True)) if steps else []
 
 
 def conditions(claim: Claim) -> Conditions:
     return relations(claim.given)
-
-
-REASONS = [
-    pytest.param(claim, part, s, r, id=f"{claim.label}-{part}-{s}-{reason.name}")
-    for claim in CLAIMS
-    for part, (_, chain) in enumerate(parts(claim))
-    if all(chain is not before for _, before in parts(claim)[:part])
-    for s, link in enumerate(chain)
-    for r, reason in enumerate(link.reasons)
-    if reason.name != "algebra"
-]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("claim", "part", "s", "r"), REASONS)
-def test_no_reason_is_idle(claim: Claim, part: int, s: int, r: int) -> None:
-    """Without any one of its reasons a step is UNDECIDED: a step uses only what it names.
-
-    Of several parts with one chain a reason is there for one of them at least.
-    """
-    chain, given = parts(claim)[part][1], conditions(claim)
-    reasons = chain[s].reasons
-    reduced = (*chain[:s], Step(chain[s].expression, reasons[:r] + reasons[r + 1 :]))
-    for stated in (says for says, same in parts(claim) if same is chain):
-        says = formula(stated)
-        if isinstance(claim.proof, ImplicitFunction):  # as it is put in, not as SymPy writes it
-            left, at = tree(claim.proof.equation.says.lhs), tree(claim.proof.at)
-            there = substitute(left, {claim.proof.parameter.name: at})
-            says = Relation(derivative(there, claim.proof.unknown.name), "==", says.right)
-        if check_chain(says, reduced, given)[s].verdict is Verdict.UNDECIDED:
-            return
-        # Or a later step, or the last, needs what this one arrives at.
-        found = {step.verdict for step in check_chain(says, (*reduced, *chain[s + 1 :]), given)}
-        if Verdict.UNDECIDED in found:
-            return
-    pytest.fail("the reason is idle")
 
 
 @pytest.mark.slow
@@ -196,13 +151,11 @@ def test_the_graph_names_every_claim() -> None:
 
 @pytest.mark.slow
 def test_a_claim_resting_on_a_refuted_one_is_undecided(ledger: Report) -> None:
-    from tresym.ledger.claim import by
     from tresym.ledger.judge import judge, judge_evidence
-    from tresym.ledger.reasons import substituting
 
     a, b = sympy.symbols("a b", real=True)
-    wrong = Claim("wrong", equal(a, b), by())
-    heir = Claim("heir", equal(a + 1, b + 1), by(substituting(wrong)))
+    wrong = Claim("wrong", equal(a, b), Decided())
+    heir = Claim("heir", equal(a + 1, b + 1), Decided((wrong,)))
     found = {"wrong": judge(wrong, {})}
     assert found["wrong"].verdict is Verdict.REFUTED
     assert judge(heir, found).verdict is Verdict.UNDECIDED
@@ -248,7 +201,8 @@ def test_sympy_does_not_disagree(
 
     Half of the differences it cannot simplify to 0; none may come out as another number.
     """
-    rules = rules_of(c for reason in link.reasons for c in reason.claims)
+    named = [c for reason in link.reasons for c in reason.claims]
+    rules = rules_of(named if link.reasons else claim.proof.put)
     pairs = zip(sympy.flatten([before]), sympy.flatten([after]), strict=True)
     between = (end for c in claim.rests_on if isinstance(c.proof, Root) for end in c.says.args[1:])
     conditions = [put_in(condition, rules) for condition in (*claim.given, *between)]

@@ -566,7 +566,7 @@ no_slope: w2 == -diff(integral(1 - x*t**2, t, 0, y), x)/diff(integral(1 - x*t**2
   given x > 0, y > 0 shown by anywhere solved for y(c), c == x
 """,
     )
-    assert part.slope.proof == ImplicitFunction(part.area, y, Symbol("c", real=True), x, ())
+    assert part.slope.proof == ImplicitFunction(part.area, y, Symbol("c", real=True), x)
     found = verdicts(part)
     assert [found[name] for name in ("bound", "slope")] == ["ENCLOSED", "PROVED"]
     assert found["false_bound"] == "REFUTED"

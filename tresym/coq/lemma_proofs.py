@@ -170,8 +170,8 @@ class _Planner:
 
     def plan(self) -> Plan:
         """Return the complete plan."""
-        whole, proof = self.whole, self.claim.proof
-        body = self.shown(whole.says, proof if isinstance(proof, tuple) else ())
+        whole = self.whole
+        body = self.shown(whole.says, ())
         text = "\n".join([*self.beginning(), body])
         return Plan(tuple(self.lemmas), text, tuple(self.uses))
 

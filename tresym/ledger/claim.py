@@ -5,9 +5,9 @@ of a claim and returns a finding, and the reports print the claim in LaTeX and i
 claims that a claim depends on are collected from its evidence, so the dependency graph always
 agrees with the proofs.
 
-The most common evidence is a chain: a tuple of steps. Each step states the next expression and
-the reasons why it equals the previous one. The chain starts at the left side of the statement and
-must end at its right side. A step may use only the reasons that it names.
+Evidence may hold a derivation, a chain of steps: each states the next expression and the reasons
+why it equals the previous one. The chain starts at the left side of the statement and ends at its
+right side.
 """
 
 from __future__ import annotations
@@ -107,22 +107,6 @@ class Step:
     reasons: tuple[Reason, ...]
 
 
-def step(expression: Basic, *reasons: Reason) -> Step:
-    """Return the step of a chain that arrives at ``expression`` because of ``reasons``."""
-    return Step(expression, reasons)
-
-
-def by(*reasons: Reason) -> tuple[Step, ...]:
-    """Return a chain of one step that leads from the left side directly to the right side.
-
-    For an inequality, the step proves its sign. For a system, the step is applied to each part.
-    """
-    return (Step(None, reasons),)
-
-
-manifest = by()
-"""Evidence for an inequality, or for several, that the sign prover decides without help."""
-
 Chain = tuple[Step, ...]
 
 
@@ -178,18 +162,19 @@ class Monotone:
     """Evidence that an equation has at most one root: left side minus right side is increasing."""
 
     slope: Any
-    """A chain from the derivative of the difference to a form that is provably positive. Or
-    evidence that the engine decides it."""
+    """Evidence that the engine decides the sign of the derivative, by steps or not."""
 
     @property
     def chains(self) -> tuple[Chain, ...]:
         """The chains of the evidence."""
-        return (self.slope,) if isinstance(self.slope, tuple) else self.slope.chains
+        found: tuple[Chain, ...] = self.slope.chains
+        return found
 
     @property
     def claims(self) -> tuple[Claim, ...]:
         """What the engine uses."""
-        return getattr(self.slope, "claims", ())
+        found: tuple[Claim, ...] = self.slope.claims
+        return found
 
 
 @dataclass(frozen=True)
@@ -207,9 +192,11 @@ class ImplicitFunction:
     unknown: Symbol
     parameter: Symbol
     at: Expr
-    slope: Chain
-    """A chain from ∂L/∂unknown at ``at`` to a form with a provable sign; if empty, the derivative
-    itself has one."""
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """The claim with the equation."""
+        return (self.equation,)
 
 
 @dataclass(frozen=True)
@@ -505,8 +492,7 @@ class Instance:
 
 
 Evidence = (
-    Chain
-    | Definition
+    Definition
     | Root
     | Instance
     | Monotone
@@ -563,7 +549,7 @@ class Claim:
 
     label: str = ""
     says: Basic | str = ""
-    proof: Evidence = ()
+    proof: Evidence = None
     kind: str = ""
     given: tuple[Basic, ...] = ()
     where: Place | None = None
@@ -778,44 +764,10 @@ def expressions(claim: Claim) -> Iterator[Basic]:
             yield from (e for e in written if e is not None)
 
 
-def chains_of(says: Basic, proof: Chain) -> tuple[tuple[Basic, Chain], ...]:
-    """Pair each part of the statement with the chain."""
-    alike = len(proof) == 1 and proof[0].expression is None
-    return tuple((part, proof) for part in (parts_of(says) if alike else (says,)))
-
-
 def _chains(proof: Evidence) -> tuple[Chain, ...]:
     """Return the chains that the evidence contains."""
-    match proof:
-        case ImplicitFunction():
-            return (proof.slope,)
-        case tuple():
-            return (proof,)
-        case _:
-            found: tuple[Chain, ...] = getattr(proof, "chains", ())
-            return found
-
-
-def with_reasons(proof: Evidence, changed: Callable[[Reason], Reason], *more: Reason) -> Evidence:
-    """Return the evidence with ``changed`` applied to each reason of its chains.
-
-    Args:
-        proof: the evidence; evidence without chains is returned as it is.
-        changed: a function from reason to reason.
-        more: reasons that are prepended to those of every step.
-    """
-
-    def chain(links: Chain) -> Chain:
-        return tuple(Step(k.expression, (*more, *map(changed, k.reasons))) for k in links)
-
-    match proof:
-        case ImplicitFunction():
-            return replace(proof, slope=chain(proof.slope))
-        case Monotone() if isinstance(proof.slope, tuple):
-            return replace(proof, slope=chain(proof.slope))
-        case tuple():
-            return chain(proof)
-    return proof
+    found: tuple[Chain, ...] = getattr(proof, "chains", ())
+    return found
 
 
 def put_in_by(claim: Claim) -> tuple[Claim, ...]:
@@ -836,11 +788,8 @@ def asked_by(claim: Claim) -> dict[str, tuple[Basic, ...]]:
 
 def _named(proof: Evidence) -> Iterator[Claim]:
     """Yield every claim that the evidence names."""
-    if isinstance(proof, ImplicitFunction):
-        yield proof.equation
     for chain in _chains(proof):
         for link in chain:
             for reason in link.reasons:
                 yield from reason.claims
-    if not isinstance(proof, tuple):
-        yield from getattr(proof, "claims", ())
+    yield from getattr(proof, "claims", ())

@@ -23,7 +23,6 @@ from sympy.core.relational import Relational
 
 from tresym.ledger.claim import (
     AllOf,
-    Chain,
     Claim,
     Counterexample,
     Definition,
@@ -41,7 +40,6 @@ from tresym.ledger.claim import (
     RootBound,
     RootMonotone,
     asked_by,
-    chains_of,
     parts_of,
 )
 from tresym.ledger.conversion import (
@@ -58,7 +56,6 @@ from tresym.ledger.definitions import captured, conflict, confused, judge_defini
 from tresym.ledger.evidence.allowed_evidence import unfit
 from tresym.ledger.evidence.asymptotics import Asymptotics, failing_order
 from tresym.ledger.evidence.box_bounds import Boxes
-from tresym.ledger.evidence.chain import check_chain
 from tresym.ledger.evidence.chart_bounds import Charted, judge_charted
 from tresym.ledger.evidence.decided import Decided, judge_decided
 from tresym.ledger.evidence.deductions import (
@@ -87,9 +84,7 @@ from tresym.ledger.refutations import (
     UNDECIDED,
     all_facts_behind,
     facts_used,
-    need_all,
     need_possible,
-    refute,
     refuted_part,
 )
 from tresym.ledger.statements import As, Binding, Under
@@ -199,7 +194,7 @@ def _can_be_evaluated(says: Basic, claim: Claim) -> bool:
     term of higher order; such a claim can only be checked if its conditions name the symbol.
     """
     known = frozenset().union(*(condition.free_symbols for condition in claim.given))
-    shown = tuple | Instance | RootBound | FromSlope | FromTheEdge | Decided
+    shown = Instance | RootBound | FromSlope | FromTheEdge | Decided
     attacked = isinstance(claim.proof, shown)
     return attacked or says.free_symbols <= known
 
@@ -286,8 +281,6 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
             return judge_implicit_function(claim, claim.proof)
         case Instance():
             return _unless(partial(refuted_part, claim), _judge_instance, claim, claim.proof)
-        case tuple() if claim.statement is not None:
-            return _judge_chains(claim, chains_of(claim.statement, claim.proof))
         case Charted():
             finding = judge_charted(claim, claim.proof)
             return finding if finding.verdict.holds else denied_somewhere(claim) or finding
@@ -344,22 +337,6 @@ def _judge_with_facts(claim: Claim, found: Findings) -> Finding:
             return alone if alone.verdict is REFUTED else Finding(UNDECIDED, why, steps=steps)
     finding = _judge(by_facts(claim, facts), found)
     return replace(finding, steps=steps + finding.steps)
-
-
-def _judge_chains(claim: Claim, parts: tuple[tuple[Basic, Chain], ...]) -> Finding:
-    """Return PROVED if every step of every chain is; otherwise search for a counterexample."""
-    need_possible(claim)
-    given = conditions(claim.given)
-    steps = tuple(s for says, chain in parts for s in check_chain(formula(says), chain, given))
-
-    try:
-        need_all(steps)
-    except NotShownError:
-        refuted = next(filter(None, (refute(says, claim) for says, _ in parts)), None)
-        if refuted is None:
-            raise
-        return replace(refuted, steps=steps)
-    return Finding(PROVED, "every step follows from the reasons it names", steps=steps)
 
 
 def _contains(claim: Claim, part: Claim) -> bool:

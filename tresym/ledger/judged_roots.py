@@ -7,16 +7,15 @@ from dataclasses import replace
 from sympy import Basic, Derivative, Eq, Gt, Lt, Subs
 
 from tresym.checking.dispatch import decide_claim
-from tresym.ledger.claim import Chain, Claim, ImplicitFunction, Monotone, by, equal
+from tresym.ledger.claim import Claim, ImplicitFunction, Monotone, equal
 from tresym.ledger.conversion import Conditions, conditions, definitions, formula, tree
-from tresym.ledger.evidence.chain import check_chain, unmet_condition
 from tresym.ledger.evidence.decided import Decided, judge_decided
 from tresym.ledger.evidence.integrals import NotShownError, need, need_smooth, under_binder
+from tresym.ledger.evidence.premises import unmet_condition
 from tresym.ledger.evidence.satisfiability import satisfiable
 from tresym.ledger.evidence.sign_prover import manifest_sign, undefined
 from tresym.ledger.finding import Finding, StepFinding
-from tresym.ledger.reasons import substituting
-from tresym.ledger.refutations import PROVED, UNDECIDED, need_all, need_possible, refute
+from tresym.ledger.refutations import PROVED, UNDECIDED, need_possible, refute
 from tresym.ledger.statements import AtMostOne, ExactlyOne
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import stated
@@ -51,38 +50,23 @@ def judge_at_most_one(claim: Claim, proof: Monotone) -> Finding:
     inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
     need_smooth(difference, inside)
     slope = differentiate(difference, name)
-    if isinstance(proof.slope, Decided):
-        x = says.variable
-        plain = tuple(c for c in claim.given if x not in c.free_symbols)
-        ends = Gt(x, says.low, evaluate=False), Lt(x, says.high, evaluate=False)
-        rising = Gt(to_sympy(slope), 0, evaluate=False)
-        asked = replace(
-            claim, says=rising, means=None, given=(*plain, *ends), proof=proof.slope, knowing=()
-        )
-        found = judge_decided(asked, proof.slope)
-        need(found.verdict is PROVED, f"could not show that {slope} > 0: {found.why}")
-        steps = found.steps or (StepFinding(PROVED, found.why),)
-    else:
-        steps = check_chain(Relation(slope, ">", ZERO), proof.slope, inside)
-        need_all(steps)
+    need(isinstance(proof.slope, Decided), "the sign of the derivative is what the engine decides")
+    x = says.variable
+    plain = tuple(c for c in claim.given if x not in c.free_symbols)
+    ends = Gt(x, says.low, evaluate=False), Lt(x, says.high, evaluate=False)
+    rising = Gt(to_sympy(slope), 0, evaluate=False)
+    asked = replace(
+        claim, says=rising, means=None, given=(*plain, *ends), proof=proof.slope, knowing=()
+    )
+    found = judge_decided(asked, proof.slope)
+    need(found.verdict is PROVED, f"could not show that {slope} > 0: {found.why}")
+    steps = found.steps or (StepFinding(PROVED, found.why),)
     return Finding(PROVED, "left side minus right side is increasing on the interval", steps=steps)
 
 
 def without(name: str, given: Conditions) -> Conditions:
     """Return the conditions in which the symbol ``name`` does not occur."""
     return tuple(c for c in given if name not in symbols(c.left) | symbols(c.right))
-
-
-def _chain_to_sign(
-    start: Expr, chain: Chain, given: Conditions
-) -> tuple[tuple[StepFinding, ...], str | None]:
-    """Check a chain that starts at ``start``; return its steps and the sign of its last form."""
-    if not chain or chain[-1].expression is None:
-        why = "the last step of the chain must state an expression whose sign can be proved"
-        return (StepFinding(UNDECIDED, why),), None
-    last = tree(chain[-1].expression)
-    steps = check_chain(Relation(start, "==", last), chain, given)
-    return steps, manifest_sign(last, given)
 
 
 def judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
@@ -114,13 +98,8 @@ def judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     unmet = unmet_condition(proof.equation, {}, near)
     need(unmet is None, f"the equation holds only under {unmet}, which could not be shown")
     need_smooth(left, near)
-    if proof.slope:
-        steps, sign = _chain_to_sign(by_unknown, proof.slope, outside)
-        need_all(steps)
-        manifest = sign in ("+", "-")
-        need(manifest, f"could not show the sign of the derivative with respect to {u}", steps)
-    elif manifest_sign(by_leibniz(by_unknown), outside) in ("+", "-"):
-        steps = ()
+    if manifest_sign(by_leibniz(by_unknown), outside) in ("+", "-"):
+        steps: tuple[StepFinding, ...] = ()
     else:
         steps = _apart_from_zero(by_unknown, outside)
     written = tuple(c for c in claim.given if proof.parameter not in c.free_symbols)
@@ -159,6 +138,4 @@ def _refuted_slope(claim: Claim, proof: ImplicitFunction) -> Finding | None:
     left, p = equation.args[0], proof.parameter
     by_unknown = Derivative(left.xreplace({p: proof.at}), proof.unknown)
     slope = -Subs(Derivative(left, p), p, proof.at) / by_unknown
-    return refute(
-        equal(says.args[1], slope), replace(claim, proof=by(substituting(proof.equation)))
-    )
+    return refute(equal(says.args[1], slope), replace(claim, proof=Decided((proof.equation,))))

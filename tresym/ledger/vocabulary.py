@@ -21,8 +21,8 @@ from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
     Claim, Counterexample, Definition, Dominated, Fault, FromSlope, FromTheEdge,
     ImplicitFunction, InfimumBy, Instance, Monotone, MonotoneOf, Printed,
-    Root, RootBound, RootMonotone, all_of, at, by, display, equal, equations,
-    follows, in_words, jointly, label_claims, line, manifest, parts_of, step,
+    Root, RootBound, RootMonotone, all_of, at, display, equal, equations,
+    follows, in_words, jointly, label_claims, line, parts_of,
 )
 from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.box_bounds import Boxes
@@ -53,11 +53,11 @@ __all__ = [
     "Reading", "Root", "RootBound", "RootMonotone", "Rounds", "Shown",
     "StrictlyDecreasing", "StrictlyIncreasing", "Subs", "Symbol", "TheRoot",
     "Tuple", "Under", "Verdict", "acos", "adding", "algebra",
-    "all_of", "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "by", "certificate",
+    "all_of", "applying", "arb", "asin", "asinh", "at", "atan", "atanh", "box", "certificate",
     "changing_variable", "citing", "collecting", "cos", "cosh", "cutting", "diff",
     "differentiating_integral", "differentiation", "display", "equal", "equations", "evaluating",
     "exp", "exponentials", "eye", "fmpq", "follows", "in_words", "integrating",
-    "inverses", "jointly", "label_claims", "line", "log", "manifest", "multiplying", "oo", "order",
-    "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "step", "substituting", "sympy", "tan",
+    "inverses", "jointly", "label_claims", "line", "log", "multiplying", "oo", "order",
+    "parts_of", "pi", "roots", "sin", "sinh", "sqrt", "substituting", "sympy", "tan",
     "tanh", "trigonometry",
 ]

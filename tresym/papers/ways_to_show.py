@@ -144,7 +144,7 @@ def way_to_show(text: str, line: Line) -> Evidence:
             raise InputError(f"'{text}': the parameter {match[3]} needs a value, {match[3]} == x")
         unknown, parameter = map(line.symbol, (match[2], match[3]))
         at = line.expression(match[5])
-        return ImplicitFunction(line.claim(match[1]), unknown, parameter, at, ())
+        return ImplicitFunction(line.claim(match[1]), unknown, parameter, at)
     raise InputError(f"'{text}' is no way to show a claim: see the page about adding a claim")
 
 

@@ -3,11 +3,12 @@
 from functools import partial
 
 import pytest
+from derivations import by
 from flint import arb, fmpq
 from sympy import Eq, Symbol
 from tresym.proofs import near, separatrix
 
-from tresym.ledger.claim import Claim, Counterexample, Definition, by
+from tresym.ledger.claim import Claim, Counterexample, Definition
 from tresym.ledger.evidence.at_point import place_of
 from tresym.ledger.judge import judge_evidence
 from tresym.ledger.statements import AtMostOne, TheRoot

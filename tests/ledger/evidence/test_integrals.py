@@ -328,7 +328,6 @@ def implicit(says: Basic, given: tuple[Basic, ...] = (y > 0,), **changes: object
         "unknown": y,
         "parameter": x,
         "at": ZERO,
-        "slope": (),
     }
     proof = ImplicitFunction(**{**evidence, **changes})
     used = {c.label: judge(c, {}) for c in (proof.equation,)}
@@ -376,7 +375,7 @@ def test_the_implicit_function_theorem_needs_its_conditions() -> None:
         equation = Claim("equation", equal(left, 0), by(), given=(y >= 0,))
         held = {"equation": Finding(Verdict.PROVED, "assumed")}
         says = equal(r, -Subs(Derivative(left, x), x, 0) / Derivative(left.xreplace({x: ZERO}), y))
-        proof = ImplicitFunction(equation, y, x, ZERO, ())
+        proof = ImplicitFunction(equation, y, x, ZERO)
         user = Claim("slope", says, proof, given=(y >= 0,))
         assert judge(user, held).verdict is Verdict.UNDECIDED
 
@@ -398,7 +397,7 @@ def test_the_sign_of_a_slope_is_shown_and_never_refuted_at_another_value_of_it()
 def test_an_equation_without_solutions_defines_no_function() -> None:
     none = Claim("equation", equal(LEFT, -1), THREE, given=(x > -1, y > 0))
     held = {"equation": Finding(Verdict.PROVED, "assumed")}
-    proof = ImplicitFunction(none, y, x, ZERO, ())
+    proof = ImplicitFunction(none, y, x, ZERO)
     user = Claim("slope", equal(r, SLOPE), proof, given=(y > 0,))
     assert judge(user, held).verdict is Verdict.UNDECIDED
 

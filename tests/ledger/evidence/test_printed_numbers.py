@@ -5,16 +5,17 @@ from functools import partial
 from typing import Any
 
 import pytest
+from derivations import by, derived, step
 from flint import arb, fmpq
 from sympy import Basic, Eq, Expr, Integer, Integral, Symbol, Tuple, cos, pi, sin, sqrt
 
-from tresym.ledger.claim import Claim, Definition, Monotone, Printed, Root, by, step
+from tresym.ledger.claim import Claim, Definition, Monotone, Printed, Root
 from tresym.ledger.evidence import printed_numbers as checker
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.printed_numbers import judge_printed, number_of
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
-from tresym.ledger.reasons import differentiating_integral, roots, substituting
+from tresym.ledger.reasons import differentiating_integral
 from tresym.ledger.statements import AtMostOne, ExactlyOne, Rounds, TheRoot
 from tresym.reals.language import expression
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -186,7 +187,7 @@ def test_why_is_in_words() -> None:
 
 def test_a_symbol_is_not_given_and_defined(monkeypatch: pytest.MonkeyPatch) -> None:
     named = Claim("named p", equal(p, x), Definition())
-    squared = by(substituting(named, ROOT_OF), roots)
+    squared = Decided((named, ROOT_OF))
     square = Claim("square", equal(p, y**2), squared, given=(x > 1,))
     said = number(p, "4.00", Rounds(y, "2.000"), using=(square,))
     assert verdict(said) is UNDECIDED
@@ -218,7 +219,7 @@ LEAST = y, ZERO, Integer(3), equal(y**3 + y, x)
 AT_MOST = Claim(
     "at most",
     "one root at most",
-    Monotone((step(3 * y**2 + 1),)),
+    Monotone(Decided()),
     means=AtMostOne(*LEAST),
     given=(x > 0,),
 )
@@ -227,7 +228,7 @@ LONG = y, ZERO, Integer(100), equal(WAY, x)
 LONGER = Claim(
     "longer",
     "a longer way",
-    Monotone((step(1 / sqrt(p + y**2), differentiating_integral(ZERO)),)),
+    Monotone(by(differentiating_integral(ZERO))),
     means=AtMostOne(*LONG),
     given=(p > 0,),
 )
@@ -316,7 +317,7 @@ class _Anything(dict[Any, Any]):
     ],
 )
 def test_one_root_at_most_is_shown_by_a_rise(means: Basic, slope: Expr) -> None:
-    claim = Claim("m", "at most one", Monotone((step(slope),)), means=means, given=(x > 0,))
+    claim = Claim("m", "at most one", Monotone(derived(step(slope))), means=means, given=(x > 0,))
     assert verdict(claim) is UNDECIDED
 
 

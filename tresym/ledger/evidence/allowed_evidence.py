@@ -66,14 +66,14 @@ WITHOUT_CONDITIONS = (AllOf, Denied)
 HOLDS_FUNCTIONS = (Boxes, Denied)
 """Evidence whose relation to the statement is only checked at sample points, or by the reader."""
 DECIDING = (
-    *(tuple, Monotone, Printed, Counterexample),
+    *(Monotone, Printed, Counterexample),
     *(Asymptotics, Charted, Evaluated, Boxes),
     *(RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge, InfimumBy, Dominated),
     *(Follows, Decided),
 )
 """Evidence that decides the formula in ``means``, also if ``says`` is different."""
 KINDS = (
-    *(tuple, Definition, Root, Instance, Charted, ImplicitFunction),
+    *(Definition, Root, Instance, Charted, ImplicitFunction),
     *(Printed, AllOf, Counterexample, Boxes, Asymptotics, Denied, Evaluated),
     *(Monotone, Follows, RootBound, RootMonotone, MonotoneOf, FromSlope, FromTheEdge),
     *(InfimumBy, Dominated, Decided),

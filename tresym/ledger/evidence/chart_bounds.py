@@ -37,8 +37,8 @@ from tresym.ledger.conversion import (
     put_in,
 )
 from tresym.ledger.evidence.box_bounds import Boxes, closed, decimal, decisions_of
-from tresym.ledger.evidence.chain import instantiated, unmet_condition
 from tresym.ledger.evidence.integrals import NotShownError, with_bounds
+from tresym.ledger.evidence.premises import instantiated, unmet_condition
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
 from tresym.ledger.finding import Finding
 from tresym.ledger.formulas import Condition, in_trees, mapped, parts_of, relations_of

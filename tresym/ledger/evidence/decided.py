@@ -47,7 +47,6 @@ from tresym.ledger.conversion import (
 )
 from tresym.ledger.evidence.asymptotics import SIDES, ordered
 from tresym.ledger.evidence.box_bounds import decimal
-from tresym.ledger.evidence.chain import instantiated
 from tresym.ledger.evidence.integrals import (
     RULES,
     NotShownError,
@@ -58,6 +57,7 @@ from tresym.ledger.evidence.integrals import (
     with_bounds,
     without_integrals,
 )
+from tresym.ledger.evidence.premises import instantiated
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
 from tresym.ledger.evidence.whole_statements import bound_by, whole_claim
 from tresym.ledger.finding import WEAKEST_FIRST, Finding, Ruling, StepFinding

@@ -52,7 +52,6 @@ from tresym.ledger.claim import (
     Root,
     RootBound,
     RootMonotone,
-    by,
     parts_of,
 )
 from tresym.ledger.conversion import (
@@ -63,6 +62,7 @@ from tresym.ledger.conversion import (
     defined,
     dependencies,
     dependent,
+    known,
     put_in,
     put_into,
     tree,
@@ -70,13 +70,13 @@ from tresym.ledger.conversion import (
 from tresym.ledger.counterexamples import violation
 from tresym.ledger.evidence.asymptotics import SIDES, ordered
 from tresym.ledger.evidence.at_point import place_of
-from tresym.ledger.evidence.chain import check_chain, instantiated
 from tresym.ledger.evidence.decided import Decided, judge_decided
 from tresym.ledger.evidence.integrals import NotShownError, need, need_smooth, with_bounds
-from tresym.ledger.evidence.sign_prover import continuous_on, is_manifest, manifest_sign
+from tresym.ledger.evidence.premises import instantiated
+from tresym.ledger.evidence.sign_prover import continuous_on, is_manifest, manifest_sign, undefined
 from tresym.ledger.finding import Finding, StepFinding
 from tresym.ledger.judged_roots import without
-from tresym.ledger.reasons import citing, exponentials, roots
+from tresym.ledger.reasons import citing
 from tresym.ledger.refutations import (
     PROVED,
     REFUTED,
@@ -742,6 +742,10 @@ def _by(e: Basic, t: Symbol, size: Basic, given: Conditions) -> Basic:
     need(found.free_symbols <= {t}, f"{size} does not depend on {e} alone")
     if not isinstance(e, Symbol):
         back = tree(found.xreplace({t: e}))
-        need(elementary(back), "the bound must be elementary")
-        need_all(check_chain(Relation(tree(size), "==", back), by(roots, exponentials), given))
+        written = tree(size)
+        need(elementary(written, back), "the bound must be elementary")
+        gap = undefined(written, given) or undefined(back, given)
+        need(gap is None, f"could not show that {gap} lies in the domain of its operation")
+        same = decide_continuous(written, back, known(given))
+        need(same.verdict is Verdict.PROVED, f"could not show that {size} is {back}: {same.why}")
     return found

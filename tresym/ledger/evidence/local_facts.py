@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from tresym.ledger.claim import Claim, Definition, Monotone, Reason, with_reasons
+from tresym.ledger.claim import Claim, Definition, Monotone, Reason
 from tresym.ledger.conversion import conditions, defined
-from tresym.ledger.evidence.chain import unmet_condition
 from tresym.ledger.evidence.decided import Decided
-from tresym.ledger.evidence.integrals import RULES
-from tresym.ledger.reasons import citing
+from tresym.ledger.evidence.integrals import RULES, NotShownError
+from tresym.ledger.evidence.premises import unmet_condition
 from tresym.ledger.statements import Under
 from tresym.reals.verdict import Verdict
 
@@ -56,4 +55,4 @@ def by_facts(claim: Claim, facts: tuple[Claim, ...]) -> Claim:
         return replace(claim, knowing=(), proof=decided(proof))
     if isinstance(proof, Monotone) and isinstance(proof.slope, Decided):
         return replace(claim, knowing=(), proof=Monotone(decided(proof.slope)))
-    return replace(claim, knowing=(), proof=with_reasons(proof, known, citing(*facts)))
+    raise NotShownError("local facts are for what the engine decides")

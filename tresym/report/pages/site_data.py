@@ -26,8 +26,6 @@ from tresym.report.typesetting.titles import title
 RECORD_VERSION = 1
 
 _EVIDENCE = {
-    "tuple": "a chain of equalities, each step decided by an exact normal form from the reasons "
-    "beside it",
     "Definition": "a definition: its symbols are new, and each has a value",
     "Root": "a definition: a name for a root that is proved to exist and to be unique",
     "Instance": "substitution into an earlier claim, whose conditions are verified",

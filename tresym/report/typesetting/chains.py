@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from tresym.ledger.claim import Chain, Claim, Reason, Step, chains_of
+from tresym.ledger.claim import Chain, Claim, Reason, Step
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.formulas import EqualMatrices, in_trees, is_bound, is_equation, parts_of
 from tresym.reals.functions.table import TABLE, upright
@@ -56,12 +56,9 @@ def displays(claim: Claim) -> tuple[Display, ...]:
 def _shown(claim: Claim) -> tuple[Display, ...]:
     proof, says = claim.proof, claim.says
     if claim.shown is not None:
-        why = _reasons(proof[-1]) if isinstance(proof, tuple) else ()
-        return ((Line("", claim.shown, why),),)
+        return ((Line("", claim.shown),),)
     if isinstance(says, str):
         return ()
-    if isinstance(proof, tuple):
-        return tuple(_lines(part, chain) for part, chain in chains_of(says, proof))
     parts = parts_of(in_trees(says))
     derived = all(isinstance(p, Relation | EqualMatrices | Equivalent) for p in parts)
     if isinstance(proof, Decided) and proof.chains and derived:
