@@ -235,8 +235,9 @@ def _edited(line: Line, stage: _Stage, span: Span, names: list[str]) -> Iterator
                 within = Span(span.start - stage.span.start, span.end - stage.span.start)
                 step = stage.before + within.replaced(stage.span.of(text), new).strip()
                 step += f" {text[_clauses(line)[0] :]}"
-            short = max(len(old), len(new)) <= SHORT
-            yield Slip(*((old, new) if short else (was, now)), whole, step)
+            if max(len(old), len(new)) <= SHORT:
+                was, now = old, new
+            yield Slip(was, now, whole, step)
 
 
 def _needs_brackets(text: str, span: Span) -> bool:
