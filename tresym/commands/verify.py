@@ -253,6 +253,11 @@ def show_mutants(labels: tuple[str, ...], workers: int = 1) -> MutantReport:
     )
     outcome = "none passed" if not held else f"{held} passed{stopped}: the verifier is wrong"
     print(styled(f"{share}; {outcome}", BAD if held else GOOD, colour))
+    aside = report.aside
+    holding = aside[Verdict.PROVED.value] + aside[Verdict.ENCLOSED.value]
+    if total := sum(aside.values()):
+        left = f"nothing shows that {total} more changes are false: {holding} hold"
+        print(dim(f"{left}, {total - holding} are undecided", colour))
     for row in report.few:
         print(dim(f"{row.label}: {row.changes} of {MUTANTS}, {row.why_few}", colour))
     return report

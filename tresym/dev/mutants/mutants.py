@@ -163,7 +163,7 @@ def _of_definition(claim: Claim, dependents: tuple[Claim, ...], changed: Line) -
 
 def _redefined(claim: Claim, dependent: Claim, line: Line) -> Iterator[tuple[Mutant, ...]]:
     sides = [place.slips for place in slips(line) if not place.name.startswith("condition")]
-    for slip in in_turn(sides):
+    for slip in in_turn(reversed(sides)):
         try:
             others = {line.label: line.read(slip.text)}
             if line.label != claim.label:
