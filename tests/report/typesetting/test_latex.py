@@ -4,7 +4,17 @@ import pytest
 import sympy
 from sympy import Derivative, Integral, Rational, Subs, exp, pi, sqrt
 
+from tresym.ledger.audit.transcription import _conditions
+from tresym.ledger.audit.tree_comparison import of_claim, of_display, same
+from tresym.ledger.formulas import in_trees, sides_of
+from tresym.ledger.paper import all_claims
 from tresym.racket.formulas import printed
+from tresym.reals.domain.conditions import Given
+from tresym.reals.language.binders import ordered
+from tresym.reals.language.expression import Expr, replaced, symbol, symbols
+from tresym.reals.language.latex import read_expression
+from tresym.reals.language.latex_author import Author
+from tresym.reals.numbers.exact import InputError
 from tresym.report.typesetting.conditions import gathered
 from tresym.report.typesetting.formula_width import width
 from tresym.report.typesetting.latex import expression_latex, says_latex
@@ -98,6 +108,52 @@ def test_rates_orders_and_functions() -> None:
 )
 def test_conditions_are_gathered(given: tuple[sympy.Basic, ...], shown: list[str]) -> None:
     assert sorted(gathered(given)) == sorted(shown)
+
+
+def uses_e(e: Expr) -> bool:
+    """Whether a variable is called e, which the reader may take for Euler's number."""
+    inner = (arg for arg in e.args if isinstance(arg, Expr))
+    return e == symbol("e") or "e" in e.names or any(map(uses_e, inner))
+
+
+def read_back(e: Expr) -> Expr | None:
+    """The expression that the reader of manuscripts finds in the print; None if it reads none."""
+    own = {r"\epsilon_*": r"\epsilon_{11}", r"\mathrm{hot}": "H_{12}"}
+
+    def read(text: str) -> Expr:
+        for ours, theirs in own.items():
+            text = text.replace(ours, theirs)
+        return of_display(read_expression(text, Author()), {})
+
+    try:
+        names = {read(expression_latex(symbol(n))): symbol(n) for n in symbols(e)}
+        return replaced(read(expression_latex(e)), names)
+    except InputError:  # two values at once, |_{x=0, y=0}, and sums before a bar are not read
+        return None
+
+
+@pytest.mark.night
+def test_what_is_printed_is_read_back() -> None:
+    read, unread = 0, 0
+    for claim in all_claims():
+        stated = (claim.statement, *claim.given, *claim.knowing)
+        for e in {e for s in stated if s is not None for e in sides_of(in_trees(s))}:
+            if "oo" in symbols(e) or "root(" in str(e) or uses_e(e):
+                continue
+            found = read_back(e)
+            unread += found is None
+            if found is not None:
+                read += 1
+                same_tree = ordered(found) == ordered(of_claim(e))
+                assert same_tree or same(found, of_claim(e), _conditions(claim)), claim.label
+    assert unread < read / 10
+
+
+def test_a_slip_in_print_would_be_seen() -> None:
+    e = in_trees(a - (a + b * sympy.sin(psi) ** 2) * sympy.sin(theta) ** 2)
+    assert read_back(e) is not None
+    assert same(read_back(e), e, Given())  # type: ignore[arg-type]
+    assert not same(read_back(e), in_trees(a + b * sympy.sin(psi) ** 2), Given())  # type: ignore
 
 
 def test_widths_are_about_right() -> None:

@@ -320,13 +320,13 @@ def says_latex(says: Any) -> str:
 
 
 def side_latex(side: Any) -> str:
-    """Return a side of an equation: an expression, or the rows of a matrix.
+    """Return a side of an equation, or a step: an expression, an equation, the rows of a matrix.
 
     The fractions in a matrix are slanted, since those of two rows would touch.
     """
-    rows = side.tolist() if hasattr(side, "tolist") else side
-    if not isinstance(rows, list | tuple):
-        return expression_latex(side)
+    rows = side.tolist() if hasattr(side, "tolist") else in_trees(side)
+    if isinstance(rows, Expr | Relation):
+        return says_latex(rows)
     shown = (" & ".join(PRINTER.exponent(in_trees(entry)) for entry in row) for row in rows)
     return r"\begin{pmatrix}" + r"\\".join(shown) + r"\end{pmatrix}"
 
