@@ -115,6 +115,7 @@ class Memory(ConditionReader):
         labels: the links of displays, by the labels and numbers of these.
         ahead: definitions further on in the display.
         partial: whether derivatives in a chain are written with ∂.
+        held: variables of functions of several, of which others are constant under a ∂.
         by: the variable of integration of a chain, if there is exactly one.
         uses: how the names of the display are used elsewhere.
         seen: names that occurred in an earlier display.
@@ -142,6 +143,7 @@ class Memory(ConditionReader):
         self.ahead: dict[str, Expr] = {}
         self.by = ""
         self.partial = False
+        self.held: frozenset[str] = frozenset()
         self.counts_derivatives = "derivative" in text and not _ITERATES.search(text)
         self.primes = bool(_PRIMED_TIME.search(text)) and not _TIME_WITHIN.search(text)
         self.dependent: dict[str, set[str]] = {}
@@ -311,7 +313,7 @@ class Memory(ConditionReader):
             if not values:
                 break
             body = substitute(body, values)
-        for name in sorted(symbols(body) - {*e.names}):
+        for name in sorted(symbols(body) - {*e.names} - self.held):
             on = self.dependent.get(name, frozenset()) | ({""} if name in self.called else set())
             on |= {""} if base_of(name) != name else set()
             free = name not in constants and name not in known
@@ -359,7 +361,9 @@ class Memory(ConditionReader):
         why = f"'{found.binds}'" if found.binds else f"${' '.join(found.tex.split())[:60]}$"
         why = f"the text says {why} about it"
         equal = bool(said.ops) and {*said.ops} <= {"=", ":="}
-        heads = [self.head(term) for term in said.terms[:-1]] if equal else []
+        heads = [
+            self.head(term) for term in said.terms[:-1] if equal and not self.applies_known(term)
+        ]
         known_heads = [head for head in heads if head is not None and not head.derived]
         if found.binds:
             self.restrict(self.spoken_of(said), why)
@@ -379,6 +383,13 @@ class Memory(ConditionReader):
             for name in self.spoken_of(said) if conditions != ((), (), "") else ():
                 tied = Restriction(why, bounds=bounds, within=within)
                 self.scopes.now.restricted.setdefault(name, tied)
+
+    def applies_known(self, term: Sequence[str]) -> bool:
+        """Whether a term is a known function of something, as f(x, 2), which restricts nothing."""
+        one = self.head(term[:1]) if term else None
+        known = self.functions.get(one.name) if one else None
+        applied = list(term[1:2]) == ["("] and list(term[-1:]) == [")"]
+        return bool(known and known.parameters) and applied and list(term).count("(") == 1
 
     def has_parity(self, said: Said, value: Expr) -> bool:
         """Put in that a symbol is odd or even, as "Let $n$ be odd" says; whether it is one."""

@@ -366,6 +366,7 @@ class _Reading(LinkReader):
             return
         if said.values == (("\\ldots",),) and {*said.ops} == {"="} and len(said.ops) > 1:
             said = replace(said, values=())  # more of the kind follows
+        self.memory.held = frozenset()
         said = replace(said, terms=tuple(map(self.with_partials, said.terms)))
         if (derived := as_derivatives(said.terms)) and {*said.ops} == {"="}:
             said = replace(said, terms=derived)
@@ -423,7 +424,13 @@ class _Reading(LinkReader):
             return term
         known = self.memory.functions.items()
         several = {name: one.parameters for name, one in known if len(one.parameters) > 1}
-        return tuple(with_partials(term, several)) if several and "_" in term else term
+        if not several or "_" not in term:
+            return term
+        read = tuple(with_partials(term, several))
+        if read != term:
+            held = (names for name, names in several.items() if name in read)
+            self.memory.held = self.memory.held.union(*held)
+        return read
 
     def in_parts(self, blank: Link, said: Said, under: Under) -> Iterator[Link]:
         """Yield the links of a chain of complex numbers, two of each: of the real parts, and of
