@@ -82,6 +82,12 @@ _MISTAKE = re.compile(
     re.IGNORECASE,
 )
 """Words that call a formula a mistake."""
+_FALSE = re.compile(r"\b(?:wrong|false|incorrect|mistake)\b", re.IGNORECASE)
+"""Words that call a formula a mistake inside its own display."""
+_MARKED = re.compile(
+    r"\\[bx]?cancel(?:to)?(?![a-zA-Z])|\\(?:sout|xmark|ding|unicode)(?![a-zA-Z])|[?✗❌]"
+)
+"""Signs that strike something out of a display or question it."""
 _FACTOR = re.compile(r"it behaves like (?:[\d/()*.+-]|\bpi\b|\bsqrt\b)+(?:;|\Z)")
 _SCALED = re.compile(
     r"\\(?:kilo|milli|centi|micro|nano|mega|giga|hecto|deci|pico|tera)(?![a-z])"
@@ -342,6 +348,10 @@ def _is_case(case: Case) -> bool:
     return bool(_CASE.search(before[-MOST_BEFORE:]) or _OTHER_CASE.match(after))
 
 
+def _is_marked(case: Case) -> bool:
+    return bool(_MARKED.search(case.row.link.display.text))
+
+
 def _is_labelled(case: Case) -> bool:
     """Whether a letter has a superscript 0 or 1, which is rarely a power."""
     return bool(_LABEL.search(case.row.link.shown))
@@ -450,6 +460,7 @@ DOUBTS = (
     Evidence("the words around it may only suppose it", -2, _is_supposed),
     Evidence("it may state several cases", -2, _is_several),
     Evidence("it may hold in one of several cases", -2, _is_case),
+    Evidence("something in its display is struck out or questioned", -4, _is_marked),
     Evidence("a superscript in it may be a label", -4, _is_labelled),
     Evidence("it may hold as a solution", -2, _is_solution),
     Evidence("its numbers may be rounded", -2, _is_of_decimals),
@@ -475,6 +486,8 @@ DOUBTS = (
 def _is_mistake(case: Case) -> bool:
     before, after = case.row.link.around[:2]
     words = f"{prose.last_sentence(before)} {' '.join(_SENTENCE.findall(after)[:2])}"
+    if _FALSE.search(" ".join(_TEXT.findall(case.row.link.display.text))):
+        return True
     return bool(_MISTAKE.search(prose.without_formulas(words)))
 
 
