@@ -304,7 +304,7 @@ def says_latex(says: Any) -> str:
             way = f"{says.how.removesuffix('ing')}es strictly"
             return rf"{write(says.function)}\text{{ {way} in }}{PRINTER.name(says.name)}"
         case Extremum(function=e, value=value):
-            return rf"\{says.how[:3]} {write(e)} = {write(value)}\text{{, not attained}}"
+            return rf"\{says.how[:3]} {write(e)} = {write(value)}"
         case Conserved():
             system = _system(says.names, says.rates)
             return rf"{write(says.function)}\text{{ is constant where }}{system}"
