@@ -103,7 +103,7 @@ def test_a_definition_is_changed_where_others_prove_something_by_it(stated: Stat
 ROOT = """x, y real
 one_root: exactly one x in (0, 1): x == 1/2
 let middle: y := root of one_root
-below: y < 2/3 using middle
+below: y < 2/3 and y > 1/3 using middle
 """
 
 
