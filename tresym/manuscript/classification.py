@@ -324,7 +324,8 @@ def claim(
     if any(str(side).count(str(DOTS)) > 1 for side in (left, right)):
         attempts = ()  # series in brackets are compared with what they follow from
     link = replace(link, claims=attempts, firm=firm, same=same, goes_on=chain, worked=worked)
-    link = replace(link, counted=counted, constants=memory.uses.numbers | names_in(under.given))
+    constants = memory.uses.numbers | names_in(under.given) | memory.held
+    link = replace(link, counted=counted, constants=constants)
     if fallback[0] == EQUATION and unknown_in(left, right):
         link = replace(link, same=False, unknown=True)
     about_it = not under.unread_of or under.unread_of & (symbols(left) | symbols(right))

@@ -285,6 +285,8 @@ class _Reading(LinkReader):
                     if loosely and leads and count == 1:
                         link = replace(link, same=False, goes_on=False, otherwise=LOOSE)
                         firm = False
+                    if said.worked and link.same and not (said.before or alone):
+                        firm = firm or (bool(link.claims) and around.kind != prose.SOLVE)
                     yield replace(link, number=count, firm=firm, multiplied=said.worked)
             for link in self.swallowed(blank, under, around):
                 count += 1

@@ -162,6 +162,11 @@ _SIGNS = {"<": "<", ">": ">", "=": "="} | {
     for sign, relation in (("le", "<="), ("ge", ">="))
     for more in ("", "q", "qslant")
 }
+_BETWEEN = re.compile(
+    r"\s*(?:\\left\s*)?\|\s*([A-Z])\s*(?:\\right\s*)?\|\s*(<|\\leq?(?:slant)?(?![a-zA-Z]))\s*"
+    r"(\\[dt]?frac\s*(?:\{\d+\}|\d)\s*(?:\{\d+\}|\d)|[\d.]+)\s*\Z"
+)
+"""``|X| < 2``."""
 _TURNED = {"<": ">", ">": "<", "<=": ">=", ">=": "<=", "=": "="}
 _FRACTION = re.compile(
     r"(-?)\s*(?:\\[dt]?frac\s*(?:\{(\d+)\}|(\d))\s*(?:\{(\d+)\}|(\d))|([\d.]+(?:/\d+)?))"
@@ -237,6 +242,7 @@ class Distributions:
 
     def _probability(self, inside: str, text: str) -> str:
         """Return the probability of a range of a known variable; empty if it is none."""
+        inside = _BETWEEN.sub(r"-\3 \2 \1 \2 \3", inside)
         sides = [side.strip() for side in _RELATION.split(inside)]
         names = {*re.findall("[A-Z]", _COMMAND.sub(" ", inside))}
         one = self.known.get(min(names, default=""))
