@@ -47,6 +47,8 @@ _BRACED_ARRAY = re.compile(
 """Digits in groups: 36,000,000. One group alone after a bare comma, 1,000, may be a decimal."""
 _BRACE = re.compile(r"\\(?:under|over)brace(?![a-zA-Z])")
 _BETWEEN = re.compile(r"\\(?:short)?intertext\s*\{((?:[^{}]|\{[^{}]*\})*)\}")
+_ENDED = re.compile(r"(?:\\\\\s*\*?\s*(?:\[[^\[\]]*\])?|\\end\{\w+\*?\}|\\begin\{\w+\*?\})\s*\Z")
+"""The end of a line of a display, or the beginning of its first one."""
 _INTEGER = re.compile(
     r"\\text\s*\{\s*(?:for |with |if |when )?(?:all |any |every |each |some |an? )?"
     r"(?:(positive |non-?negative |odd |even )?(?:integers?|numbers?)|(odd|even))"
@@ -138,8 +140,13 @@ def _set(words: str) -> str:
 
 
 def between(text: str) -> tuple[str, list[str]]:
-    """Split a display into its formulas and the prose between its lines."""
-    return _BETWEEN.sub(" ", text), _BETWEEN.findall(text)
+    """Split a display into its formulas and the prose between its lines, which ends a line."""
+    found = list(_BETWEEN.finditer(text))
+    for words in reversed(found):
+        before = text[: words.start()]
+        end = " " if not before.strip() or _ENDED.search(before) else r" \\ "
+        text = before + end + text[words.end() :]
+    return text, [words[1] for words in found]
 
 
 def _without_braces_under(text: str) -> str:
