@@ -7,7 +7,7 @@ or a misprint. It may be a misprint if no words around it introduce it as one of
 - the other links of its display are identities, or a word such as "hence" leads to it, and both
   sides have the same variables.
 
-A symbol that is defined again in the same scope, one edit away from its first definition and
+A symbol that is defined again near by, one edit away from another form of its first definition and
 without a word such as "now", is SUSPECT as well. What is REFUTED gets the suggestions. Then all of
 them are weighed: what has support is REFUTED, the rest SUSPECT (:mod:`tresym.manuscript.support`).
 """
@@ -88,6 +88,12 @@ _WORDS = frozenset((DoubtKind.SENTENCE, DoubtKind.FAR, DoubtKind.FUNCTION))
 """Reasons that the form of an equality may outweigh: words around it, definitions elsewhere."""
 _OPEN = (Cause.NO_POINT, Cause.NO_VALUE)
 """What stopped the decision of an equality that may nevertheless be a misprint."""
+_ANEW = re.compile(
+    r"\b(?:now|instead|if|or|cases?|otherwise|alternativ\w+|example|exercise|second|other|another|new"
+    r"|next|then for|redefin\w+|approximat\w+|similarly|whereas|while)\b",
+    re.IGNORECASE,
+)
+"""Words by which a symbol may stand for something else."""
 _LET = re.compile(r"\b(?:let|for|with|where|when|if|at|put|set|takes?)\b[^.$]*\$", re.IGNORECASE)
 """Words by which a variable has a value."""
 _SOLVE = re.compile(r"\b(?:solv(?:e|ed|ing)|solutions? (?:of|to|for))\b", re.IGNORECASE)
@@ -109,7 +115,11 @@ def proofread(
         seconds: processor time for each search.
         processes: how many searches at once; None for one per core.
     """
-    asked = {n: row for n, row in enumerate(rows) if row.status == "REFUTED" or may_be(row)}
+    asked = {
+        n: row
+        for n, row in enumerate(rows)
+        if row.status == "REFUTED" or may_be(row) or _defined_again(row)
+    }
     texts = [_question(row) for row in asked.values()]
     searched = suggestions(texts, processes, seconds) if texts else ()
     found = {n: tuple(map(_as_written, some)) for n, some in zip(asked, searched, strict=True)}
@@ -119,6 +129,12 @@ def proofread(
         instead = found[n]
         if row.status == "REFUTED":
             result[n] = replace(row, instead=instead)
+            continue
+        if row.status == DEFINED:
+            found_again = next((one for one in instead if _says_more(one)), None)
+            if found_again is not None:
+                why = f"{row.put[-1][0]} was {row.put[-1][1]} before; an edit makes them equal"
+                result[n] = replace(row, status=SUSPECT, why=why, instead=instead, refuted="")
             continue
         why = "" if _redefined(row, rows) else reason(row, instead, blocks[n])
         if why and (_is_free(row) or _fails_for_positive(row)):
@@ -162,6 +178,25 @@ def bound_outside(row: Row) -> str:
                 name = min(loose)
                 return f"{name} is the variable of the {node.op} on one side, and free on the other"
     return ""
+
+
+def _defined_again(row: Row) -> bool:
+    """Whether a row defines a symbol again, near by, by a formula with the same letters."""
+    sides = row.link.sides
+    if row.status != DEFINED or not row.put or not row.refuted or sides is None:
+        return False
+    if not row.why.startswith("defined differently") or sides[0].op != "symbol":
+        return False
+    values = [value for name, value in row.put if name == str(sides[0])]
+    alike = [symbols(value) == symbols(sides[2]) for value in values]
+    words = prose.without_formulas(row.link.around[0])
+    return bool(symbols(sides[2])) and alike == [True] and not _ANEW.search(words)
+
+
+def _says_more(found: Alternative) -> bool:
+    """Whether the formula that holds has sides of different form, and so is no mere repetition."""
+    left, equal, right = found.claim.partition(" given ")[0].partition(" == ")
+    return bool(equal) and left.strip() != right.strip() and not found.edit.startswith(GIVEN)
 
 
 def _fails_for_positive(row: Row) -> bool:
@@ -273,6 +308,8 @@ def _question(row: Row) -> tuple[str, Definitions, bool, bool]:
     """Return the claim to repair, its substitutions, whether to be cautious, and whether to try
     unusual edits."""
     relation, sure = row.link.sides[1] if row.link.sides else "", row.status == "REFUTED"
+    if row.status == DEFINED:
+        return row.failing, (), False, False
     if row.refuted:
         return row.refuted, row.put, relation != "==" and not sure, sure
     if sure:
