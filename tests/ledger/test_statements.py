@@ -28,7 +28,7 @@ def test_nothing_is_worked_out() -> None:
 @pytest.mark.parametrize(
     ("says", "shown"),
     [
-        (ROOT, r"\exists!\,x \in (0, y):\ \cos x = z"),
+        (ROOT, r"\exists!\, x \in (0, y):\ \cos x = z"),
         (Under(x < y, Tuple(x > 0, y > 1)), r"x < y\quad(x > 0,\ y > 1)"),
         (Under(x < y, Tuple()), "x < y"),
         (ORDER, r"\cos x = 1+O(x^2)\quad(x \to 0^+)"),

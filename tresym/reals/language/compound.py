@@ -44,7 +44,7 @@ from tresym.reals.language.named_claims import (
 )
 from tresym.reals.language.parsing import as_written
 from tresym.reals.language.paths import Path
-from tresym.reals.language.typesetting import expression_in_latex, to_latex, to_mathml
+from tresym.reals.language.typesetting import PLAIN, Printer, to_mathml
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError
 
@@ -569,38 +569,52 @@ def renamed(equation: Compared, name: str, other: str) -> Compared:
 # In print
 
 
-def formula_in_latex(formula: Formula, shared: int = 0, path: str | None = None) -> str:
-    """Return a formula in LaTeX; its first ``shared`` conditions and ``path`` stand elsewhere."""
+def formula_in_latex(
+    formula: Formula, shared: int = 0, path: str | None = None, writer: Printer = PLAIN
+) -> str:
+    """Return a formula in LaTeX; its first ``shared`` conditions and ``path`` stand elsewhere.
+
+    Args:
+        formula: the formula.
+        shared: the number of conditions that are left out.
+        path: a limit process that is left out, as text.
+        writer: writes the expressions.
+    """
     if isinstance(formula, Together):
-        parts = (formula_in_latex(part, shared, path) for part in formula.parts)
+        parts = (formula_in_latex(part, shared, path, writer) for part in formula.parts)
         return r" \quad\text{and}\quad ".join(parts)
     if isinstance(formula, Equivalent):
-        return r" \iff ".join(formula_in_latex(part, shared, path) for part in formula.parts)
+        parts = (formula_in_latex(part, shared, path, writer) for part in formula.parts)
+        return r" \iff ".join(parts)
     own = formula.given[shared:]
-    under_own = rf" \ ({to_latex(own)})" if own else ""
+    under_own = rf" \ ({writer.chain(own)})" if own else ""
     if isinstance(formula, Count):
-        low, high = map(expression_in_latex, (formula.low, formula.high))
+        low, high = map(writer.shown, (formula.low, formula.high))
         left, right = "[" if formula.closed[0] else "(", "]" if formula.closed[1] else ")"
-        place = rf"{expression_in_latex(symbol(formula.name))} \in {left}{low}, {high}{right}"
+        place = rf"{writer.name(formula.name)} \in {left}{low}, {high}{right}"
         how = r"\exists!\, " if formula.how == "exactly one" else rf"\text{{{formula.how} }} "
-        return rf"{how}{place}:\ {to_latex((formula.equation,))}{under_own}"
+        return rf"{how}{place}:\ {writer.chain((formula.equation,))}{under_own}"
     if isinstance(formula, Shape):
-        name = expression_in_latex(symbol(formula.name))
-        function = expression_in_latex(formula.function)
-        return rf"{function} \text{{ is {formula.how} in }} {name}{under_own}"
+        strictly = "strictly " * (formula.how in ("increasing", "decreasing"))
+        function = writer.shown(formula.function)
+        how = rf"\text{{ is {strictly}{formula.how} in }}"
+        return rf"{function} {how} {writer.name(formula.name)}{under_own}"
     if isinstance(formula, Named):
-        return named_in_latex(formula) + under_own
+        return named_in_latex(formula, writer) + under_own
     if isinstance(formula, Somewhere):
-        return rf"\text{{at some point }} {to_latex(formula.comparisons)}{under_own}"
+        return rf"\text{{at some point }} {writer.chain(formula.comparisons)}{under_own}"
     tends = formula.path if str(formula.path) != path else None
-    ends = "" if tends is None else rf" \ ({path_in_latex(tends)})"
-    return to_latex(formula.comparisons) + under_own + ends
+    ends = "" if tends is None else rf" \ ({path_in_latex(tends, writer)})"
+    return writer.chain(formula.comparisons) + under_own + ends
 
 
-def path_in_latex(path: Path) -> str:
-    """``x \\to 0^+`` for ``x -> 0+``."""
+def path_in_latex(path: Path, writer: Printer = PLAIN) -> str:
+    """``x \\to 0^+`` for ``x -> 0+``, and the same for several variables or an expression."""
+    if path.together:
+        names, points = map(writer.name, path.together), map(writer.shown, path.points)
+        return rf"({', '.join(names)}) \to ({', '.join(points)})"
     side = "" if path.point is None or len(path.sides) > 1 else "^+" if path.sides[0] > 0 else "^-"
-    return to_latex([_arrow(path)]) + side
+    return writer.chain([_arrow(path)]) + side
 
 
 def path_in_mathml(path: Path) -> str:
@@ -614,4 +628,4 @@ def path_in_mathml(path: Path) -> str:
 
 def _arrow(path: Path) -> Compared:
     point = multiply(number(path.sides[0]), INFINITY) if path.point is None else path.point
-    return symbol(path.name), "->", point
+    return path.expression or symbol(path.name), "->", point

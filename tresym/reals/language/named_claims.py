@@ -22,7 +22,7 @@ from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.claims import read_claim
 from tresym.reals.language.expression import ZERO, Expr, symbol, symbols
 from tresym.reals.language.formula import Compared
-from tresym.reals.language.typesetting import expression_in_latex
+from tresym.reals.language.typesetting import PLAIN, Printer
 from tresym.reals.numbers.exact import InputError
 
 EXTREMA = ("infimum", "supremum", "minimum", "maximum")
@@ -255,23 +255,24 @@ def _listed(items: tuple[object, ...]) -> str:
     return f"({texts})" if len(items) > 1 else texts
 
 
-def named_in_latex(claim: Named) -> str:
-    """A claim without its conditions, in LaTeX."""
+def named_in_latex(claim: Named, writer: Printer = PLAIN) -> str:
+    """A claim without its conditions, in LaTeX as ``writer`` writes expressions."""
     if isinstance(claim, Extremum):
-        below = ", ".join(expression_in_latex(symbol(name)) for name in claim.names)
+        below = ", ".join(map(writer.name, claim.names))
         operator = rf"\{claim.how[:3]}" + (f"_{{{below}}}" if below else "")
-        function = expression_in_latex(claim.function)
-        return rf"{operator} \left( {function} \right) = {expression_in_latex(claim.value)}"
-    variables = [expression_in_latex(symbol(name)) for name in claim.names]
-    dotted = _row([rf"\dot{{{name}}}" for name in variables])
-    motion = f"{dotted} = {_row([expression_in_latex(rate) for rate in claim.rates])}"
+        alone = claim.function.op == "symbol"
+        function = writer.shown(claim.function)
+        function = function if alone else rf"\left( {function} \right)"
+        return rf"{operator} {function} = {writer.shown(claim.value)}"
+    variables = [*map(writer.name, claim.names)]
+    rates = zip(variables, map(writer.shown, claim.rates), strict=True)
+    motion = r",\ ".join(rf"\dot{{{name}}} = {rate}" for name, rate in rates)
     if isinstance(claim, Conserved):
-        function = expression_in_latex(claim.function)
-        return rf"{function} \text{{ is conserved along }} {motion}"
-    place = f"{_row(variables)} = {_row([expression_in_latex(p) for p in claim.point])}"
+        return rf"{writer.shown(claim.function)} \text{{ is conserved along }} {motion}"
+    place = f"{_row(variables, writer)} = {_row([*map(writer.shown, claim.point)], writer)}"
     article = "a" if claim.how == STABLE else "an"
     return rf"{place} \text{{ is {article} {claim.how} equilibrium of }} {motion}"
 
 
-def _row(parts: list[str]) -> str:
-    return parts[0] if len(parts) == 1 else rf"\left( {', '.join(parts)} \right)"
+def _row(parts: list[str], writer: Printer) -> str:
+    return parts[0] if len(parts) == 1 else writer.bracketed(", ".join(parts))

@@ -357,6 +357,10 @@ class Printer:
         )
 
 
+PLAIN = Printer(LATEX)
+"""LaTeX with the names of symbols and the order of terms as they are."""
+
+
 def fraction(e: Expr) -> tuple[list[Expr], list[Expr]]:
     """Return the factors above and below the bar of a product."""
     above: list[Expr] = []

@@ -15,11 +15,16 @@ from typing import Any
 
 from flint import fmpq
 
-from tresym.ledger.formulas import EqualMatrices, Rounded, Tending, Under, in_trees, names_of
+from tresym.ledger.formulas import EqualMatrices, Rounded, Tending, Under, in_trees
 from tresym.ledger.paper import racket
 from tresym.reals.functions.table import CONSTANTS, TABLE
 from tresym.reals.language.binders import outermost
-from tresym.reals.language.compound import Count, Equivalent, Shape, Somewhere, Together
+from tresym.reals.language.compound import (
+    Equivalent,
+    Together,
+    formula_in_latex,
+    path_in_latex,
+)
 from tresym.reals.language.expression import (
     BINDERS,
     DOTS,
@@ -31,12 +36,9 @@ from tresym.reals.language.expression import (
     add,
     factors_in,
     opened,
-    symbol,
     symbols,
 )
 from tresym.reals.language.formula import Relation
-from tresym.reals.language.named_claims import Conserved, Equilibrium, Extremum
-from tresym.reals.language.paths import Path
 from tresym.reals.language.typesetting import (
     LATEX,
     POWER,
@@ -46,7 +48,7 @@ from tresym.reals.language.typesetting import (
     is_negative,
     opposite,
 )
-from tresym.reals.numbers.exact import InputError, printed
+from tresym.reals.numbers.exact import printed
 
 PAPER = {
     **LATEX,
@@ -288,35 +290,13 @@ def says_latex(says: Any) -> str:
         case Under(formula=inner, given=given):
             under = ",\\ ".join(map(says_latex, given))
             return says_latex(inner) + (rf"\quad({under})" if under else "")
-        case Count():
-            place = rf"{PRINTER.name(says.name)} \in ({write(says.low)}, {write(says.high)})"
-            how = r"\exists!\," if says.how == "exactly one" else rf"\text{{{says.how} }}"
-            return rf"{how}{place}:\ {says_latex(says.equation)}"
         case Rounded():
             half = printed(says.text).width / 2 * says.half_units
             within = decimal_latex(f"{Decimal(int(half.p)) / int(half.q):f}")
             return rf"{write(says.term)} = {decimal_latex(says.text)} \pm {within}"
-        case Somewhere(comparisons=inner):
-            names = ", ".join(sorted(map(PRINTER.name, names_of(*inner))))
-            shown = r",\quad ".join(map(says_latex, inner))
-            return rf"\exists\,{names}:\ {shown}"
-        case Shape():
-            way = f"{says.how.removesuffix('ing')}es strictly"
-            return rf"{write(says.function)}\text{{ {way} in }}{PRINTER.name(says.name)}"
-        case Extremum(function=e, value=value):
-            return rf"\{says.how[:3]} {write(e)} = {write(value)}"
-        case Conserved():
-            system = _system(says.names, says.rates)
-            return rf"{write(says.function)}\text{{ is constant where }}{system}"
-        case Equilibrium():
-            kind = "a stable" if says.how == "stable" else f"an {says.how}"
-            names = ", ".join(map(PRINTER.name, says.names))
-            place = ", ".join(map(write, says.point))
-            system = _system(says.names, says.rates)
-            return rf"({names}) = ({place})\text{{ is {kind} equilibrium of }}{system}"
         case Tending(relation=inner, path=path):
-            return rf"{says_latex(inner)}\quad({_passage(path)})"
-    raise InputError(f"{says} is no statement of the ledger")
+            return rf"{says_latex(inner)}\quad({path_in_latex(path, PRINTER)})"
+    return formula_in_latex(says, writer=PRINTER)
 
 
 def side_latex(side: Any) -> str:
@@ -329,24 +309,6 @@ def side_latex(side: Any) -> str:
         return says_latex(rows)
     shown = (" & ".join(PRINTER.exponent(in_trees(entry)) for entry in row) for row in rows)
     return r"\begin{pmatrix}" + r"\\".join(shown) + r"\end{pmatrix}"
-
-
-def _passage(path: Path) -> str:
-    """``x \\to 0^+``, and the same for several variables or an expression."""
-    if path.together:
-        names = ", ".join(map(PRINTER.name, path.together))
-        return rf"({names}) \to ({', '.join(map(PRINTER.shown, path.points or ()))})"
-    what = path.expression or symbol(path.name)
-    if path.point is None:
-        return rf"{PRINTER.shown(what)} \to {'-' if path.sides == (-1,) else ''}\infty"
-    side = "" if len(path.sides) > 1 else "^+" if path.sides[0] > 0 else "^-"
-    return rf"{PRINTER.shown(what)} \to {PRINTER.shown(path.point)}{side}"
-
-
-def _system(names: tuple[str, ...], rates: tuple[Expr, ...]) -> str:
-    """Return the equations of motion, with a dot for the derivative."""
-    pairs = zip(names, rates, strict=True)
-    return r",\ ".join(rf"\dot{{{PRINTER.name(x)}}} = {PRINTER.shown(f)}" for x, f in pairs)
 
 
 def decimal_latex(text: str) -> str:
