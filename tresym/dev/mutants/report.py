@@ -26,11 +26,14 @@ from tresym.reals.processes import Processes
 from tresym.reals.resource_limits import time_limit
 from tresym.reals.verdict import Verdict
 
-SECONDS, MOST = 0.5, 3.0
+SECONDS, MOST = 0.5, 10.0
 """CPU seconds for the evidence of a mutant, or twice the time of the claim's own, but no more than
 these; as many for the search for a point at which it is false."""
-TRIES = 5
-"""Changes tried at one place to find those that are seen to be false."""
+TRIES, TOGETHER = 5, 24
+"""Changes tried at one place to find those that are seen to be false; where there are few places,
+so many at all of them."""
+KEPT = 400
+"""Findings on changed claims that are kept for the claims made of them."""
 BATCH = 4
 """Number of consecutive claims per task of a process; neighbours share mutants of their parts."""
 
@@ -176,6 +179,9 @@ def rows_of(labels: tuple[str, ...], wanted: int) -> list[MutantRow]:
 def _row(
     claim: Claim, wanted: int, using: dict[Claim, tuple[Claim, ...]], found: dict[str, Finding]
 ) -> MutantRow:
+    if len(_once) > KEPT:
+        _once.clear()
+        _parts.clear()
     judging = _Judging(found, wanted, using)
     judged = [(mutant, judging.finding(mutant)) for m in judging.false(claim) for mutant in m]
     changes = len({(mutant.place, mutant.change) for mutant, _ in judged})
@@ -213,7 +219,9 @@ class _Judging:
 
     def false(self, claim: Claim) -> Iterator[tuple[Mutant, ...]]:
         """Yield false variants, for each change those that it gives: some of each place."""
-        places = [self._at(p) for p in places_of(claim, self.using.get(claim, ()), self._of_part)]
+        found_at = places_of(claim, self.using.get(claim, ()), self._of_part)
+        tries = max(TRIES, TOGETHER // max(len(found_at), 1))
+        places = [self._at(place, tries) for place in found_at]
         share = math.ceil(self.wanted / len(places)) if places else 0
         count = 0
         for found in (m for place in places for m in islice(place, share)):
@@ -222,8 +230,8 @@ class _Judging:
         # If some places have no further changes, more are made at the others.
         yield from islice((m for place in places for m in place), max(0, self.wanted - count))
 
-    def _at(self, place: Place) -> Iterator[tuple[Mutant, ...]]:
-        for changed in islice(place.mutants, TRIES):
+    def _at(self, place: Place, tries: int) -> Iterator[tuple[Mutant, ...]]:
+        for changed in islice(place.mutants, tries):
             if self._is_false(changed[0]):
                 yield changed
             else:
