@@ -62,3 +62,40 @@ def test_lines_stay_where_they_are() -> None:
     assert latex[3] == r"\section{First}"
     assert latex[11] == r"| $|x|$ | b |"
     assert r"50\% of" in latex[5]
+
+
+BLOCKS = r"""
+````{admonition} Fact
+:class: tip
+
+:::{math}
+1 + 1 = 2
+:::
+```python
+$$ 1 + 1 = 4 $$
+```
+$$ 1 + 1 = 3 $$
+````
+
+```{exercise}
+:label: one
+Let $h(t) = e^{2t}$.
+$$ h'(t) = 2 h(t) $$
+```
+
+```{prf:example}
+$$ h'(t) = 2 h(t) $$
+```
+
+```{code-cell} python
+$$ 1 + 1 = 5 $$
+```
+"""
+
+
+def test_blocks_of_text_are_read_and_blocks_of_code_are_not(tmp_path: Path) -> None:
+    (tmp_path / "page.md").write_text(BLOCKS)
+    rows = decided(read_links(read_manuscript(tmp_path / "page.md")), 5.0, 1)
+    found = [(row.link.display.line, row.status) for row in rows]
+    assert found[:2] == [(5, "PROVED"), (11, "REFUTED")]
+    assert found[2:] == [(17, "PROVED"), (21, "EQUATION")]

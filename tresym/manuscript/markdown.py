@@ -2,10 +2,10 @@ r"""A Markdown page as LaTeX, line by line, so that the places of formulas stay 
 
 ``## Second example`` becomes a section, which ends what was said of letters before it, as it would
 in LaTeX; ``**Example 2.**`` becomes a bold heading. Code is left out, but a block that is marked as
-``math`` is a display. A percent sign is no comment,
-except of ``% tresym: ...`` and ``<!-- tresym: ... -->``, which are directives. In a table ``\|``
-is a bar. Of a Jupyter notebook the Markdown cells are read, at the lines of its file where it has a
-line for each line of a cell.
+``math`` is a display, and one such as ``{admonition}`` or ``{exercise}`` of MyST is text. A percent
+sign is no comment, except of ``% tresym: ...`` and ``<!-- tresym: ... -->``, which are directives.
+In a table ``\|`` is a bar. Of a Jupyter notebook the Markdown cells are read, at the lines of its
+file where it has a line for each line of a cell.
 """
 
 from __future__ import annotations
@@ -21,6 +21,26 @@ SUFFIXES = frozenset((".md", ".markdown", ".mdx", ".rmd", ".qmd"))
 _FENCE = re.compile(r"\s*(?:>\s*)*(```+|~~~+)")
 _MATH = re.compile(r"\s*(?:>\s*)*(```+|~~~+|:::+)\s*(?:math|\{math\})\s*(\S*)\s*$")
 """The first line of a block of mathematics: of GitHub, and of MyST, which may name it."""
+_DIRECTIVE_BLOCK = re.compile(r"\s*(?:>\s*)*(```+|~~~+)\s*\{([a-zA-Z:-]+)\}\s*(.*?)\s*$")
+_SCOPED = {
+    "example": "example",
+    "exercise": "exercise",
+    "solution": "solution",
+    "proof": "proof",
+    **dict.fromkeys(("theorem", "lemma", "proposition", "corollary"), "theorem"),
+}
+"""Blocks of MyST that are environments in LaTeX."""
+_OF_TEXT = frozenset(
+    (
+        *("admonition", "note", "tip", "hint", "important", "warning", "caution", "attention"),
+        *("danger", "error", "seealso", "dropdown", "margin", "sidebar", "topic", "card", "toggle"),
+        *("details", "tab-item", "tab-set", "grid", "grid-item", "grid-item-card", "definition"),
+        *("remark", "callout", "axiom", "conjecture", "observation", "property", "algorithm"),
+        *_SCOPED,
+    )
+)
+"""Blocks of MyST that hold text, not code."""
+_OPTION = re.compile(r"\s*:[\w-]+:")
 _LABELLED = re.compile(r"\s*:(label|name|nowrap|class|number|width):\s*(.*?)\s*$")
 _HEADING = re.compile(r"(#{1,6})\s+(.*?)\s*#*\s*$")
 _DIRECTIVE = re.compile(r"\s*<!--\s*(tresym:.*?)\s*-->\s*$")
@@ -39,6 +59,8 @@ def as_latex(text: str) -> str:
     lines = text.split("\n")
     result: list[str] = []
     fence = math = ""
+    blocks: list[tuple[str, str]] = []  # open blocks of text: their fences and environments
+    options = False
     header = lines[:1] == ["---"]
     for n, line in enumerate(lines):
         if header:  # of the page, with its title and the like
@@ -57,6 +79,22 @@ def as_latex(text: str) -> str:
             result.append("\\[")
             continue
         mark = _FENCE.match(line)
+        found = None if fence else _DIRECTIVE_BLOCK.match(line)
+        name = found[2].rpartition(":")[2] if found else ""
+        if found and name in _OF_TEXT:
+            scope = _SCOPED.get(name, "")
+            blocks.append((found[1], scope))
+            result.append(rf"\begin{{{scope}}}" if scope else _line(found[3]))
+            options = True
+            continue
+        options = options and bool(_OPTION.match(line))
+        if options:
+            result.append("")
+            continue
+        if blocks and not fence and line.strip().lstrip("> ") == blocks[-1][0]:
+            _, scope = blocks.pop()
+            result.append(rf"\end{{{scope}}}" if scope else "")
+            continue
         if fence or (mark and mark[1]):
             if not fence and mark:
                 fence = mark[1]
