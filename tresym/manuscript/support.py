@@ -26,6 +26,7 @@ from tresym.manuscript import prose
 from tresym.manuscript.accusations import DoubtKind
 from tresym.manuscript.deciding import PASSES, Row, under_also
 from tresym.manuscript.mentions import dependent
+from tresym.manuscript.symbols import mentions
 from tresym.reals.domain.evaluation import evaluate
 from tresym.reals.language.binders import elementary, outermost
 from tresym.reals.language.calls import INFINITY
@@ -412,6 +413,21 @@ def _is_of_other_letter(case: Case) -> bool:
     return False
 
 
+def _is_defined_elsewhere(case: Case) -> bool:
+    """Whether a letter was replaced by a definition outside its display: in W = int F dx = int k x
+    dx another F may be meant than in F = -k x."""
+    text = " ".join(map(str, case.sides[::2]))
+    read = {name.rstrip("_") for name in _TOKEN.findall(text)} | _CONSTANTS
+    lefts = {str(one.link.sides[0]) for one in case.others if one.link.sides} | _replaced(case)
+    shown = mentions(case.row.link.shown.split())
+    return any(
+        one.letter not in read | lefts and not (one.accent or one.subscript) for one in shown
+    )
+
+
+_CONSTANTS = frozenset("deiEC")
+
+
 def _is_far(case: Case) -> bool:
     return "earlier sections" in case.row.why
 
@@ -472,6 +488,7 @@ DOUBTS = (
     Evidence("the dots in it may stand for something else", -1, _is_dotted),
     Evidence("a definition is substituted, which may not hold there", -1, _is_substituted),
     Evidence("the letter in its differential may be another one", -2, _is_of_other_letter),
+    Evidence("a definition from another display is substituted", -3, _is_defined_elsewhere),
     Evidence("a condition from another section is used", -1, _is_far),
     Evidence("each side has letters of its own, as an equation has", -2, _is_one_sided),
     Evidence("a letter is on one side only", -2, _is_of_other_letters),
