@@ -10,10 +10,12 @@ from tresym.ledger.formulas import in_trees, sides_of
 from tresym.ledger.paper import all_claims
 from tresym.racket.formulas import printed
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language.binders import ordered
+from tresym.reals.language.binders import at, ordered
+from tresym.reals.language.compound import read_compound
 from tresym.reals.language.expression import Expr, replaced, symbol, symbols
 from tresym.reals.language.latex import read_expression
 from tresym.reals.language.latex_author import Author
+from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.exact import InputError
 from tresym.report.typesetting.conditions import gathered
 from tresym.report.typesetting.formula_width import width
@@ -64,6 +66,37 @@ def test_statements() -> None:
     assert says_latex(b <= 1) == r"b \le 1"
     assert says_latex("In words.") == "In words."
     assert says_latex(sympy.Tuple(a > 0, b > 0)) == r"a > 0,\quad b > 0"
+
+
+@pytest.mark.parametrize(
+    ("claim", "shown"),
+    [
+        (
+            "exactly one psi in [0, 1): sin(psi)**2 == b",
+            r"\exists!\, \psi \in [0, 1):\ \sin^2\psi = b",
+        ),
+        ("convex(exp(gamma), gamma)", r"e^{\gamma} \text{ is convex in } \gamma"),
+        ("increasing(gamma, gamma)", r"\gamma \text{ is strictly increasing in } \gamma"),
+        ("infimum(b*cos(psi), psi) == -b", r"\inf_{\psi} \left( b\cos\psi \right) = -b"),
+        ("at some point: epsilon0 == 1", r"\text{at some point } \epsilon_0 = 1"),
+    ],
+)
+def test_statements_of_everyone_in_the_letters_of_the_paper(claim: str, shown: str) -> None:
+    whole = read_compound(claim)
+    assert whole is not None
+    assert says_latex(whole.formula) == shown
+
+
+@pytest.mark.parametrize(
+    ("at_itself", "shown"),
+    [
+        (at(parse("x**2"), {"x": parse("x + 1")}), r"\left.x^2\right|_{x=1+x}"),
+        (at(parse("y"), {"x": parse("1")}), r"\left.y\right|_{x=1}"),
+        (parse("-(a - b)"), "-(a-b)"),
+    ],
+)
+def test_values_and_signs(at_itself: Expr, shown: str) -> None:
+    assert expression_latex(at_itself) == shown
 
 
 @pytest.mark.parametrize(
