@@ -76,7 +76,7 @@ def test_statements() -> None:
             r"\exists!\, \psi \in [0, 1):\ \sin^2\psi = b",
         ),
         ("convex(exp(gamma), gamma)", r"e^{\gamma} \text{ is convex in } \gamma"),
-        ("increasing(gamma, gamma)", r"\gamma \text{ is strictly increasing in } \gamma"),
+        ("increasing(gamma, gamma)", r"\gamma \text{ increases strictly in } \gamma"),
         ("infimum(b*cos(psi), psi) == -b", r"\inf_{\psi} \left( b\cos\psi \right) = -b"),
         ("at some point: epsilon0 == 1", r"\text{at some point } \epsilon_0 = 1"),
     ],

@@ -595,9 +595,9 @@ def formula_in_latex(
         how = r"\exists!\, " if formula.how == "exactly one" else rf"\text{{{formula.how} }} "
         return rf"{how}{place}:\ {writer.chain((formula.equation,))}{under_own}"
     if isinstance(formula, Shape):
-        strictly = "strictly " * (formula.how in ("increasing", "decreasing"))
+        strict = {"increasing": "increases strictly", "decreasing": "decreases strictly"}
+        how = rf"\text{{ {strict.get(formula.how, f'is {formula.how}')} in }}"
         function = writer.shown(formula.function)
-        how = rf"\text{{ is {strictly}{formula.how} in }}"
         return rf"{function} {how} {writer.name(formula.name)}{under_own}"
     if isinstance(formula, Named):
         return named_in_latex(formula, writer) + under_own
