@@ -150,6 +150,7 @@ class Parts:
         self.given = given
         self.atoms = Atoms()
         self._signs: dict[Expr, str | None] = {}
+        self._seen: dict[Expr, str | None] = {}
         self._asked: set[Expr] = set()
         self._boxes: dict[str, list[tuple[list[Interval], str | None]]] = {}
         self._cut = False
@@ -212,21 +213,66 @@ class Parts:
     def _sign(self, e: Expr) -> str | None:
         if not symbols(e):
             return constant_sign(e)
+        at_once = self._at_once(e)
+        if at_once in ("+", "-", "0"):
+            return at_once
         stated = self._stated(e)
         if stated in ("+", "-"):
             return stated
         by_operation = self._by_operation(e)
         return by_operation if by_operation in ("+", "-", "0") else stated or by_operation
 
-    def _stated(self, e: Expr) -> str | None:
-        """Return the sign that a condition states directly."""
-        stated = None
+    def _at_once(self, e: Expr) -> str | None:
+        """Return the sign that is seen without a search, as of ``a + b*sin(x)**2`` for a, b > 0.
+
+        The sign of sin(x), which takes long to find, is of no interest there.
+        """
+        if e not in self._seen:
+            stated, ruled = self._stated_signs.get(e), self._by_rules(e)
+            strict = (its_sign for its_sign in (stated, ruled) if its_sign in ("+", "-", "0"))
+            self._seen[e] = next(strict, stated or ruled)
+        return self._seen[e]
+
+    def _by_rules(self, e: Expr) -> str | None:
+        """Return the sign of an operation from the signs that its arguments have at once."""
+        if e.op in ("number", "pi") or not symbols(e):
+            return constant_sign(e)
+        if e.op == "symbol":
+            return span_sign(self.span(e))
+        if e.op in ("exp", "abs"):
+            return "+" if e.op == "exp" else ">=0"
+        if e.op == "*":
+            factors = [self._at_once(factor) for factor in e.args]
+            return None if None in factors else reduce(times, factors, "+")  # type: ignore[arg-type]
+        if e.op == "+":
+            terms = {self._at_once(term) for term in e.args}
+            for up, weak in (("+", ">=0"), ("-", "<=0")):
+                if terms <= {up, weak, "0"}:
+                    return up if up in terms else weak if weak in terms else "0"
+        if e.op != "^" or e.args[1].op != "number":
+            return None
+        inner, r = self._at_once(e.args[0]), e.args[1].args[0]
+        if r > 0 and r.q == 1 and r.p % 2:
+            return inner
+        if r < 0 and r.q == 1 and r.p % 2:
+            return {"+": "+", ">=0": "+", "-": "-", "<=0": "-"}.get(inner or "")
+        return "+" if r <= 0 or inner in ("+", "-") else ">=0"
+
+    @cached_property
+    def _stated_signs(self) -> dict[Expr, str]:
+        """The signs of expressions that conditions state directly."""
+        found: dict[Expr, str] = {}
         for condition in self.given.conditions:
-            if condition.relation != "!=" and condition.expression in (e, -e):
-                up = condition.expression == e
-                if condition.relation == ">":
-                    return "+" if up else "-"
-                stated = ">=0" if up else "<=0"
+            if condition.relation != "!=":
+                up = "+" if condition.relation == ">" else ">=0"
+                for e, its_sign in ((condition.expression, up), (-condition.expression, FLIP[up])):
+                    if found.get(e) not in ("+", "-"):
+                        found[e] = str(its_sign)
+        return found
+
+    def _stated(self, e: Expr) -> str | None:
+        """Return the sign that conditions state directly, or by a difference of squares."""
+        stated = self._stated_signs.get(e)
         return self._difference_of_squares(e) if stated is None and e.op == "+" else stated
 
     def _difference_of_squares(self, e: Expr) -> str | None:
