@@ -15,7 +15,7 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 from flint import arb, fmpq
@@ -154,8 +154,17 @@ class Program:
 
     def __call__(self, *point: Any) -> Any:
         """Return the value at balls or gradients; the last argument is their arithmetic."""
-        *numbers, m = point
-        return self.run(numbers, m, _in_balls)
+        *values, m = point
+        if m not in self._prepared:
+            self._prepared[m] = [(_step(op, m), operands) for op, operands in self.steps]
+        for step, operands in self._prepared[m]:
+            values.append(step(*[values[x] if inner else x for inner, x in operands]))
+        return values[self.end]
+
+    @cached_property
+    def _prepared(self) -> dict[Any, list[tuple[Callable[..., Any], tuple[tuple[bool, Any], ...]]]]:
+        """The steps as functions of balls or gradients: looked up once, not at every point."""
+        return {}
 
     def meaning(self, numbers: Sequence[Expr], special: Meaning) -> Expr:
         """Return the value as a tree.
@@ -205,8 +214,18 @@ def _number(x: Any, m: Any) -> Any:
     return number(x) if m is trees else arb(x)
 
 
-def _in_balls(op: Any, args: tuple[Any, ...]) -> Any:
-    return args[0] if isinstance(op, Part) else op(*args)
+def _step(op: Any, m: Any) -> Callable[..., Any]:
+    """Return the function of balls or gradients that carries out a step."""
+    if op == "pi":
+        return lambda: m.pi  # at the working precision
+    if isinstance(op, str):
+        function = _function(m, op)
+        return lambda x: function(_number(x, m))
+    return _first if isinstance(op, Part) else op
+
+
+def _first(value: Any, *_: Any) -> Any:
+    return value
 
 
 def _function(m: Any, name: str) -> Callable[[Any], Any]:

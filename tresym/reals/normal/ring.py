@@ -155,6 +155,7 @@ class Ring:
         require: called with a polynomial and ±1 when the denominator d·(1 ± σ) is met, σ being the
             sign of the polynomial; without it, such a fraction stays as it is.
         factored: canonical factorisations, see :mod:`.factors`; they depend on the relations.
+        full: whether a generator was asked for that had no place; a larger ring may show more.
     """
 
     def __init__(self, size: int) -> None:
@@ -163,6 +164,7 @@ class Ring:
         self.context, self.variables = _polynomials(size)
         self.generators: list[Generator] = []
         self.relations: list[tuple[int, int, Poly]] = []
+        self.full = False
         self.require: Callable[[Poly, int], None] | None = None
         self.factored: dict[str, tuple[fmpz, list[tuple[Poly, int]]]] = {}
         self._by_key: dict[tuple[Any, ...], Generator] = {}
@@ -188,6 +190,7 @@ class Ring:
         generator = self._by_key.get((kind, key))
         if generator is None:
             if len(self.generators) == self.size:
+                self.full = True
                 raise TooLargeError(f"a normal form with more than {self.size} generators")
             generator = Generator(kind, data, self.size - 1 - len(self.generators))
             self.generators.append(generator)

@@ -19,6 +19,7 @@ from tresym.reals.normal.ring import Fraction, Poly, Ring
 from tresym.reals.numbers.factoring import TooLargeError
 
 SIZE = 24
+"""The largest number of atoms."""
 MAX_GROWTH = 300
 """The maximal number of terms after a power of an atom is substituted."""
 _EVEN = names(lambda row: row.even and row.arity == 1)
@@ -40,9 +41,9 @@ class Atoms:
         ring: the ring.
     """
 
-    def __init__(self) -> None:
-        """Create a ring with :data:`SIZE` generators, none of which is used yet."""
-        self.ring = Ring(SIZE)
+    def __init__(self, size: int = SIZE) -> None:
+        """Create a ring with ``size`` generators, none of which is used yet."""
+        self.ring = Ring(size)
         self._memo: dict[Expr, Fraction] = {}
 
     def expression(self, position: int) -> Expr:

@@ -26,6 +26,8 @@ Ask = Callable[[Expr, str, Given], str | None]
 """A prover of a relation to zero under conditions. It returns a sentence, or None."""
 PROVING = {">": ("+",), ">=": ("+", ">=0", "0"), "!=": ("+", "-", "!=")}
 """The signs of a difference that prove its relation to zero."""
+SIZES = (10, 24)
+"""The numbers of generators of the rings in which a normal form is computed."""
 REMEMBERED = 4096
 """The number of cached signs: each step of a chain or expansion asks for the same signs again."""
 
@@ -126,8 +128,18 @@ def _open_sign(e: Expr, given: Given) -> str | None:
     """
     if jumps((e,), given):
         return None
+    found = None
+    for size in SIZES:  # operations take less time in a small ring
+        field = Field(given, size=size)
+        found = _in_field(e, field)
+        if not field.ring.full:
+            break
+    return found
+
+
+def _in_field(e: Expr, field: Field) -> str | None:
+    """Return the sign of the factors of the normal form of ``e``."""
     try:
-        field = Field(given)
         (value,) = field.normal(e)
         if value.num.is_zero():
             return "0"

@@ -34,7 +34,7 @@ from tresym.reals.normal.ring import (
 from tresym.reals.numbers.arithmetic import ball_precision, side
 from tresym.reals.numbers.exact import Interval
 from tresym.reals.numbers.factoring import TooLargeError
-from tresym.reals.signs.atoms import Atoms
+from tresym.reals.signs.atoms import SIZE, Atoms
 from tresym.reals.signs.spans import (
     absolute_sign,
     beside,
@@ -45,6 +45,8 @@ from tresym.reals.signs.spans import (
 )
 
 MAX_ATOMS = 8
+SMALL = 10
+"""The number of atoms of the ring that is tried first."""
 MAX_TERMS = 200
 MAX_FACTS = 16
 MAX_SPLIT = 24
@@ -126,14 +128,19 @@ class Signs:
     """
 
     def __init__(self, e: Expr, given: Given) -> None:
-        """Prove the sign."""
-        self._e, self._parts = e, Parts(given)
+        """Prove the sign, in a small ring if that has room: operations take less time there."""
+        self._e, self._parts = e, Parts(given, SMALL)
         self.sign = self._parts.sign(e)
+        if self._parts.atoms.ring.full:
+            self._parts = Parts(given)
+            self.sign = self._parts.sign(e)
 
     @cached_property
     def nonzero(self) -> bool:
         """Whether the expression is shown to vanish nowhere."""
-        return self._parts.nonzero(self._e)
+        found = self._parts.nonzero(self._e)
+        full = self._parts.atoms.ring.full and self._parts.atoms.ring.size < SIZE
+        return Parts(self._parts.given).nonzero(self._e) if full else found
 
 
 @lru_cache(maxsize=SETS)
@@ -145,10 +152,10 @@ def signs_of_parts(e: Expr, given: Given) -> Signs:
 class Parts:
     """Prove signs under one set of conditions, and cache them."""
 
-    def __init__(self, given: Given) -> None:
-        """Start with the conditions as the only known facts."""
+    def __init__(self, given: Given, size: int = SIZE) -> None:
+        """Start with the conditions as the only known facts, and at most ``size`` atoms."""
         self.given = given
-        self.atoms = Atoms()
+        self.atoms = Atoms(size)
         self._signs: dict[Expr, str | None] = {}
         self._seen: dict[Expr, str | None] = {}
         self._asked: set[Expr] = set()
