@@ -33,6 +33,12 @@ SIGNS = [
     ("(a + b*x)**2 + abs(x)", "", ">=0"),
     ("1 - (a + b*x)**2", "1 - (a + b*x) > 0, 1 + (a + b*x) > 0", "+"),
     ("1 - (a + b*x)**2", "1 - (a + b*x) >= 0, 1 + (a + b*x) >= 0", ">=0"),
+    # at once, without the signs of what is squared
+    ("a + b*sin(x)**2", "a > 0, b > 0", "+"),
+    ("x**2*sin(y)**2 + w*cos(z)**4", "w >= 0", ">=0"),
+    ("-a*sqrt(u - v)/b**2", "a > 0", "<=0"),
+    ("1/x**3", "x <= 0", "-"),
+    ("(x - y)**(-1)", "x >= y", "+"),
     # half turns
     ("sin(x)", "e > 0, e < pi/2, x >= e, x <= pi - e", "+"),
     ("sin(x)", "0 <= x, x <= pi", ">=0"),
@@ -137,6 +143,12 @@ FALSE = {
     "x**2*y - x**2*z > 0 given y > z": "x = 0, y = 1, z = 0",
     "1 - abs(x) >= 0 given x >= -1, x <= 2": "x = 2",
     "1/2 - abs(x) >= 0 given x >= -1/4, x <= 1": "x = 1",
+    "a + b*sin(x)**2 > 0 given a >= 0, b > 0": "a = 0, b = 1, x = 0",
+    "a + b*sin(x) >= 0 given a > 0, b > 0": "a = 1, b = 2, x = -pi/2",
+    "b*sin(x)**2 > 0 given b > 0": "b = 1, x = 0",
+    "1/x**3 > 0 given x <= 1": "x = -1",
+    "x**3 + y**2 >= 0 given y > 0": "x = -2, y = 1",
+    "(x + y)**(1/3) > 0 given x + y >= 0": "x = 0, y = 0",
 }
 
 
