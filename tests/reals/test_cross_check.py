@@ -13,12 +13,16 @@ from typing import Any
 import pytest
 from flint import arb
 from sympy import Derivative, Eq, Equivalent, Ge, Gt, Integral, Symbol, Tuple, cos, sin
+from sympy_statements import equal
 
 import tresym
 from tresym.checking.claim_cross_check import attack
 from tresym.commands import main
 from tresym.dev.corpus.lists import known, pairs
-from tresym.ledger.claim import Claim, Definition, equal
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+)
 from tresym.ledger.evidence.decided import Decided
 from tresym.reals import cross_check
 from tresym.reals.decisions.answer import Answer

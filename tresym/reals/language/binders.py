@@ -8,7 +8,8 @@ Source: A. Charguéraud, *The locally nameless representation*, J. Automated Rea
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
 
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -215,11 +216,15 @@ def _hides(e: Expr, name: str) -> bool:
     )
 
 
-def ordered(e: Expr) -> Expr:
+def ordered(e: Expr, place: Callable[[str, Expr], Any] = lambda op, arg: 0) -> Expr:
     """Return ``e`` with the operands of sums and products sorted, so that their order does not
     matter.
 
     The order is independent of the names of bound variables.
+
+    Args:
+        e: the expression.
+        place: the place of an operand of ``"+"`` or ``"*"`` among the others.
     """
     keys: dict[Expr, str] = {}
 
@@ -233,7 +238,9 @@ def ordered(e: Expr) -> Expr:
         if node.op in LEAVES:
             return node
         args = tuple(map(walk, node.args))
-        return rebuild(node, tuple(sorted(args, key=key)) if node.op in ("+", "*") else args)
+        if node.op in ("+", "*"):
+            args = tuple(sorted(args, key=lambda arg: (place(node.op, arg), key(arg))))
+        return rebuild(node, args)
 
     return walk(e)
 

@@ -90,14 +90,14 @@ _EULER = re.compile(r"(?<![\w.\\])e(?!\w)")
 class Together:
     """All of the parts are claimed."""
 
-    parts: tuple[Formula, ...]
+    parts: tuple[Any, ...]
 
 
 @dataclass(frozen=True)
 class Equivalent:
     """Each of the parts follows from each other one."""
 
-    parts: tuple[Formula, ...]
+    parts: tuple[Any, ...]
 
 
 class Count(NamedTuple):

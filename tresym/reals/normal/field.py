@@ -168,8 +168,10 @@ class Field:
         return _quotient(name.removesuffix("h"), (y + z) / 2, (y - z) / 2)
 
     def _power(self, base: Expr, exponent: Expr) -> Fraction:
-        x = self._walk(base)
         r = self.ring.rational(self._walk(exponent))
+        if r is not None and r.q == 1 and r < 0 and base.op == "*":  # shorter, factor by factor
+            return prod((self._walk(f) ** int(r.p) for f in base.args), start=self.ring.one)
+        x = self._walk(base)
         if r is not None and r.q == 1:
             return x ** int(r.p)
         if r is not None:
