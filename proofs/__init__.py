@@ -2,7 +2,7 @@
 
 A part is a file of claims, such as ``slope.tresym``. What it states is asked for as
 ``from tresym.proofs import slope``, and then ``slope.d51``. The modules of Python beside them hold
-what files take from elsewhere: conditions, laws of mechanics, charts, tables.
+what files take from elsewhere: laws of mechanics, charts, tables.
 """
 
 from __future__ import annotations
@@ -59,6 +59,9 @@ PARTS = (
 FORMULAS = {"printed_formulas": "printed", "stable_formulas": "stable"}
 """Names under which files use the formulas of the programs, with their modules."""
 
+BESIDE = ("conditions",)
+"""Files that name what the parts take from them, and state nothing."""
+
 NOT_MATHEMATICS = {
     "not_elementary": "what functions are elementary is said of formulas, and none says it",
     "said_in_section_3": "on which lines of the source a section stands: two numbers are compared",
@@ -91,7 +94,9 @@ def _values_of(part: str) -> Mapping[str, Any]:
 
     if part in FORMULAS:
         return vars(import_module(f"tresym.racket.formulas.{FORMULAS[part]}"))
-    return _file(part).values if part in PARTS else vars(import_module(f"tresym.proofs.{part}"))
+    if part in (*PARTS, *BESIDE):
+        return _file(part).values
+    return vars(import_module(f"tresym.proofs.{part}"))
 
 
 def written_in(labels: Iterable[str]) -> tuple[str, ...]:

@@ -18,19 +18,46 @@ from functools import cache
 from itertools import pairwise
 from typing import Any
 
-from tresym.proofs.conditions import shape
+from flint import arb, fmpq
 
-from tresym.ledger.evidence.chart_bounds import Charts, Stated
+from tresym.ledger.evidence.allowed_evidence import Meant
+from tresym.ledger.evidence.box_bounds import Boxes
+from tresym.ledger.evidence.chart_bounds import Charted, Charts, On, Reading, Shown, Stated
 from tresym.ledger.evidence.remainders import Remainder
-from tresym.ledger.vocabulary import *
 from tresym.racket.bounds import charts
 from tresym.racket.bounds.bending import curvature
 from tresym.racket.bounds.samples import in_bent_chart
 from tresym.racket.comparison.constants import CONSTANTS
 from tresym.racket.notation import *
+from tresym.reals.balls.branch_and_bound import Bound, box
+from tresym.reals.language.expression import (
+    ONE,
+    PI,
+    ZERO,
+    Expr,
+    Number,
+    as_expr,
+    number,
+    sqrt,
+    symbol,
+    trees,
+)
+from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.exact import as_rational
 
 _k, _ratio = sqrt(a * b), sqrt(b / a)
+
+
+def _at_most(e: Expr, value: Expr | Number) -> Relation:
+    return Relation(e, "<=", as_expr(value))
+
+
+def _at_least(e: Expr, value: Expr | Number) -> Relation:
+    return Relation(e, ">=", as_expr(value))
+
+
+shape = (Relation(a, ">", ZERO), Relation(b, ">", ZERO), _at_most(b, 1))
+"""The closed range of shapes on which the paper's formulas are studied."""
 
 BY_KAPPA = (b, 1 / sqrt(a * b))
 """The chart (b, κ): a = 1/(bκ²)."""
@@ -41,13 +68,13 @@ KAPPA = box((0, 1), (0, 2))
 """The region ab ≥ 1/4 in the chart (b, κ)."""
 NEAR_CHART, FAR_CHART = box((0, 1), (0, "7/4")), box((0, 1), (0, "4/7"))
 """The charts (b, k) and (b, κ), which meet at k = 7/4, and hold every shape."""
-_NEARER, _FARTHER = (a * b <= Rational(49, 16),), (a * b >= Rational(49, 16),)
+_NEARER, _FARTHER = (_at_most(a * b, fmpq(49, 16)),), (_at_least(a * b, fmpq(49, 16)),)
 
 # -- what the steps of the programs are in the paper's symbols ------------------------------------
 
 _ROOT = ("flip_defect", "defect_range")
-_sweep_turn = atan(_ratio * tanh(_k * P))
-_w = sqrt(1 + b / a) * sinh(_k * P)
+FOUR = number(4)
+_w = sqrt(1 + b / a) * trees.sinh(_k * P)
 """cot ε₀."""
 
 
@@ -58,16 +85,16 @@ def _read(claims: Stated, step: Any, at: tuple[Any, ...], value: Any, *by: str) 
 
 def _difference(one: Expr, other: Expr) -> Expr:
     """The angle of which the tangent is that of the difference of two others."""
-    return atan((x - x0) / (1 + x * x0)).xreplace({x: one, x0: other})
+    return trees.atan((one - other) / (1 + one * other))
 
 
-def _sweep(claims: Stated, start: Expr, ends: Symbol) -> tuple[Reading, ...]:
+def _sweep(claims: Stated, start: Expr, ends: Expr) -> tuple[Reading, ...]:
     """The steps of the error of a sweep, and the differences of angles in it."""
-    turn = _ratio * tanh(_k * start)
-    left = _difference(_ratio * tanh(_k * P), turn)
-    end = sqrt(1 + b / a) * sinh(_k * (pi + atan(turn)))
+    turn = _ratio * trees.tanh(_k * start)
+    left = _difference(_ratio * trees.tanh(_k * P), turn)
+    end = sqrt(1 + b / a) * trees.sinh(_k * (PI + trees.atan(turn)))
     apart = _difference(1 / end, 1 / _w)
-    error = sinh(_k * P) / sinh(_k * (pi + atan(turn))) - 1
+    error = trees.sinh(_k * P) / trees.sinh(_k * (PI + trees.atan(turn))) - 1
     gained = f"sweep_from_{start}_misses"
     return (
         _read(claims, charts.sweep_difference, (*BY_K, P, start), left),
@@ -96,8 +123,8 @@ def _readings(claims: Stated) -> tuple[Reading, ...]:
         _read(claims, charts.cotangent, (*BY_K, P), _w),
         _read(claims, charts.angle_of, (_w,), epsilon0, "defect_by_phase"),
         _read(claims, charts.tangent_by_kappa, (*BY_KAPPA, P), 1 / _w),
-        *_sweep(claims, pi, epsilon_pi),
-        *_sweep(claims, Integer(4), epsilon_4),
+        *_sweep(claims, PI, epsilon_pi),
+        *_sweep(claims, FOUR, epsilon_4),
         phase_in_k,
         replace(defect_in_k, inner=(phase_in_k,)),
         phase_in_kappa,
@@ -116,13 +143,13 @@ def _readings(claims: Stated) -> tuple[Reading, ...]:
             charts.leading_square_over,
             BY_KAPPA,
             epsilon_star**2 * a * b,
-            (*shape, a * b >= Rational(1, 9)),
+            (*shape, _at_least(a * b, fmpq(1, 9))),
             claims("leading_term"),
         ),
     )
 
 
-def _excess(claims: Stated, start: Expr, later: Symbol, improved: str) -> tuple[Reading, ...]:
+def _excess(claims: Stated, start: Expr, later: Expr, improved: str) -> tuple[Reading, ...]:
     """By how much the phase after a step of Newton's method behind a sweep exceeds the true one."""
     near, *_, far, _, _ = _sweep(claims, start, epsilon0)
     gained = f"sweep_from_{start}_misses"
@@ -139,12 +166,12 @@ def _excess(claims: Stated, start: Expr, later: Symbol, improved: str) -> tuple[
     return replace(excess, inner=(near,)), replace(far_excess, inner=(far,))
 
 
-def _newton(claims: Stated, later: Symbol, goes_on: str) -> tuple[Reading, ...]:
+def _newton(claims: Stated, later: Expr, goes_on: str) -> tuple[Reading, ...]:
     """The steps of the error of a step of Newton's method, whose phase stays above 3."""
     cited = claims("phase_range", goes_on)
-    w = sqrt(1 + b / a) * sinh(_k * later)
+    w = sqrt(1 + b / a) * trees.sinh(_k * later)
     apart = _difference(_w, w)
-    error = sinh(_k * P) / sinh(_k * later) - 1
+    error = trees.sinh(_k * P) / trees.sinh(_k * later) - 1
     return (
         Reading(charts.tangent_error, (P - later, P, _k), error, shape, cited=cited),
         Reading(charts.angle_difference, (error, _w), apart, shape, cited=cited),
@@ -202,7 +229,7 @@ def _every(
     """|ε/ε₀ − 1| ≤ limit for every shape, by the margin of either chart."""
 
     def margins(error: Callable[..., Any], slopes: bool) -> tuple[Shown, ...]:
-        return _within(lambda x, y, m: error(x, y, begin(m), m), limit, Integer(1), slopes)
+        return _within(lambda x, y, m: error(x, y, begin(m), m), limit, ONE, slopes)
 
     return (
         On(BY_K, NEAR_CHART, margins(near, slopes), _NEARER),
@@ -272,11 +299,12 @@ growth_chart = _charts(
 
 # -- one bound for all shapes
 
-_TEN_THIRDS, _times = fmpq(10, 3), Rational(10, 3)
-_decay = exp(-_k * (pi + asin(sqrt(b / (a + b)))))
+_TEN_THIRDS = fmpq(10, 3)
+_rate = -_k * (PI + trees.asin(sqrt(b / (a + b))))
+_decay = trees.exp(_rate)
 """q, where ε* is 2 cos θ q."""
-_square, _cube = (exp(-n * _k * (pi + asin(sqrt(b / (a + b))))) for n in (2, 3))
-_squared, _cubed = exp(-3 * pi * _k), exp(-Rational(9, 2) * pi * _k)
+_square, _cube = trees.exp(2 * _rate), trees.exp(3 * _rate)
+_squared, _cubed = trees.exp(-3 * PI * _k), trees.exp(fmpq(-9, 2) * PI * _k)
 
 
 def _gap(side: int) -> Callable[..., Any]:
@@ -308,10 +336,10 @@ def _corner(b: Any, kappa: Any, m: Any) -> Any:
 
 _stretch = epsilon_star**3 * (1 + b / a)
 _at_corner = (
-    Rational(5, 12) * (1 + b / a) * sqrt(1 + b / a) - (6 * b - 1 + 3 * b / a) / 12 - 3 / (8 * a * b)
+    fmpq(5, 12) * (1 + b / a) * sqrt(1 + b / a) - (6 * b - 1 + 3 * b / a) / 12 - 3 / (8 * a * b)
 )
 """What the claim `corner` says is not negative."""
-_least, _small = Rational(1, 400), Rational(1, 16)
+_least, _small = fmpq(1, 400), fmpq(1, 16)
 
 
 def _everywhere(claims: Stated) -> Charted:
@@ -321,28 +349,30 @@ def _everywhere(claims: Stated) -> Charted:
         (
             Shown(
                 lambda b, k, m: _TEN_THIRDS * m.exp(-9 * m.pi * k / 2) - m.pi / 2,
-                spare=_times * (_cube - _cubed) + (pi / 2 - epsilon0) + epsilon_star,
+                spare=_TEN_THIRDS * (_cube - _cubed) + (PI / 2 - epsilon0) + epsilon_star,
             ),
             Shown(
                 lambda b, k, m: _TEN_THIRDS * m.exp(-3 * m.pi * k) - 2,
                 _decay,
-                _times * _decay * (_square - _squared) + (2 * _decay - epsilon_star) + epsilon0,
+                _TEN_THIRDS * _decay * (_square - _squared)
+                + (2 * _decay - epsilon_star)
+                + epsilon0,
             ),
         ),
-        (a * b <= _least,),
+        (_at_most(a * b, _least),),
         claims("decay_at_least"),
     )
     near = On(
         BY_K,
         box((0, 1), ("1/20", "1/4")),
         (Shown(_gap(1), slopes=True), Shown(_gap(-1), slopes=True)),
-        (a * b >= _least, a * b <= _small),
+        (_at_least(a * b, _least), _at_most(a * b, _small)),
     )
     far = On(
         BY_KAPPA,
         box((0, 1), ("1/2", 4)),
         (Shown(_cubic(1), _stretch), Shown(_cubic(-1), _stretch)),
-        (a * b >= _small, a * b <= 4),
+        (_at_least(a * b, _small), _at_most(a * b, 4)),
     )
     corner = On(
         BY_KAPPA,
@@ -351,7 +381,7 @@ def _everywhere(claims: Stated) -> Charted:
             Shown(_corner, epsilon_star**3 / (a * b), spare=epsilon_star**3 * _at_corner),
             Shown(_cubic(-1), _stretch),
         ),
-        (a * b >= 4,),
+        (_at_least(a * b, 4),),
         claims("corner"),
     )
     return Charted((tiny, near, far, corner), _readings(claims))
@@ -425,7 +455,7 @@ exact_defect_slope_chart = _charts(
         ),
     )
 )
-decay_chart = _charts(On(BY_KAPPA, KAPPA, _between(_decay_rate, "0.52", "2.01", Integer(1))))
+decay_chart = _charts(On(BY_KAPPA, KAPPA, _between(_decay_rate, "0.52", "2.01", ONE)))
 
 BENT = ((0, 1), (0, 2), (-1, 1))
 """The chart (b, κ, v) of ab ≥ 1/4, γ = bε₀²v."""
@@ -483,27 +513,27 @@ def _stays_above_3(later: str, start: Expr, begin: Callable[[Any], Any], improve
         On(BY_K, NEAR_CHART, (Shown(near),), _NEARER),
         On(BY_KAPPA, FAR_CHART, (Shown(far),), _FARTHER),
     )
-    name = Symbol(later, real=True)
+    name = symbol(later)
     return _charts(
         *on, readings=lambda claims: (*_readings(claims), *_excess(claims, start, name, improved))
     )
 
 
-newton_pi_stays_charts = _stays_above_3("P_pi", pi, lambda m: m.pi, "phase_from_pi")
-newton_four_stays_charts = _stays_above_3("P_4", Integer(4), lambda m: fmpq(4), "phase_from_four")
+newton_pi_stays_charts = _stays_above_3("P_pi", PI, lambda m: m.pi, "phase_from_pi")
+newton_four_stays_charts = _stays_above_3("P_4", FOUR, lambda m: fmpq(4), "phase_from_four")
 
 
 @cache
 def _readings_pi(claims: Stated) -> tuple[Reading, ...]:
-    later = Symbol("P_pi", real=True)
-    excess = _excess(claims, pi, later, "phase_from_pi")
+    later = symbol("P_pi")
+    excess = _excess(claims, PI, later, "phase_from_pi")
     return (*_readings(claims), *excess, *_newton(claims, later, "newton_pi_goes_on"))
 
 
 @cache
 def _readings_four(claims: Stated) -> tuple[Reading, ...]:
-    later = Symbol("P_4", real=True)
-    excess = _excess(claims, Integer(4), later, "phase_from_four")
+    later = symbol("P_4")
+    excess = _excess(claims, FOUR, later, "phase_from_four")
     return (*_readings(claims), *excess, *_newton(claims, later, "newton_four_goes_on"))
 
 
@@ -526,7 +556,7 @@ LEAST = fmpq(1, 10)
 
 def region_beyond(order: int, a0: fmpq, constant: fmpq) -> tuple[On, On]:
     """The bounds on the whole region a ≥ a₀: in (b, κ√a₀) and in (k/√a₀, a₀/a)."""
-    least = Rational(int(a0.p), int(a0.q))
+    least = number(a0)
 
     def near(b: Any, scaled: Any, m: Any) -> charts.Root:
         return charts.root_by_kappa(b, scaled / m.sqrt(a0), m)
@@ -540,10 +570,10 @@ def region_beyond(order: int, a0: fmpq, constant: fmpq) -> tuple[On, On]:
 
         return tuple(Shown(margin(side), epsilon_star ** (2 * order + 2)) for side in (1, -1))
 
-    beyond = (a >= least,)
+    beyond = (_at_least(a, least),)
     return (
-        On((b, sqrt(least / (a * b))), UNIT, shown(near), (*beyond, a * b >= least)),
-        On((sqrt(a * b / least), least / a), UNIT, shown(far), (*beyond, a * b <= least)),
+        On((b, sqrt(least / (a * b))), UNIT, shown(near), (*beyond, _at_least(a * b, least))),
+        On((sqrt(a * b / least), least / a), UNIT, shown(far), (*beyond, _at_most(a * b, least))),
     )
 
 
@@ -558,8 +588,7 @@ def slab(order: int, a0: fmpq, a1: fmpq, constant: fmpq) -> On:
         return upper
 
     shown = tuple(Shown(margin(side), 1 / epsilon_star, slopes=True) for side in (1, -1))
-    low, high = (Rational(int(x.p), int(x.q)) for x in (a0, a1))
-    return On((a, sqrt(b)), box((a0, a1), (0, 1)), shown, (a >= low, a <= high))
+    return On((a, sqrt(b)), box((a0, a1), (0, 1)), shown, (_at_least(a, a0), _at_most(a, a1)))
 
 
 def _from(order: int, least: str) -> Charts:

@@ -6,14 +6,19 @@ rule for integrals, ``derived(step(e), step(None))`` goes by way of ``e``.
 
 from __future__ import annotations
 
-from sympy import Basic, Expr
+from typing import Any
 
-from tresym.ledger.claim import Claim, Reason, Step
+from tresym.ledger.claim import (
+    Claim,
+    Reason,
+    Step,
+)
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.integrals import RULES
+from tresym.reals.language.expression import Expr
 
 
-def step(expression: Basic | None, *reasons: Reason) -> Step:
+def step(expression: Any, *reasons: Reason) -> Step:
     """The step to an expression, or to the right side of the statement."""
     return Step(expression, reasons)
 

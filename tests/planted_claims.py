@@ -2,7 +2,9 @@
 
 from sympy import Symbol
 
-from tresym.ledger.claim import Claim
+from tresym.ledger.claim import (
+    Claim,
+)
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import differentiation, exponentials, inverses, roots, trigonometry

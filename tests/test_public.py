@@ -12,7 +12,9 @@ import pytest
 from flint import arb
 
 import tresym
-from tresym.ledger.claim import Claim
+from tresym.ledger.claim import (
+    Claim,
+)
 from tresym.ledger.verification import Report, Row
 from tresym.racket.body import Body, shape
 from tresym.racket.result import Flip, Journey

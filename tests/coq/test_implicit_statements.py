@@ -5,7 +5,9 @@ import pytest
 from tresym.coq.coqtop import Dialogue
 from tresym.coq.implicit_statements import Implicit
 from tresym.coq.ledger_statements import lemmas, theorem_of
-from tresym.ledger.claim import ImplicitFunction
+from tresym.ledger.claim import (
+    ImplicitFunction,
+)
 from tresym.ledger.paper import all_claims, file_of
 
 CLAIMS = {claim.label: claim for claim in all_claims()}

@@ -9,7 +9,9 @@ from tresym.coq.ledger_statements import Joint, name_of, stamp, theorem_of
 from tresym.coq.statement import NotExportedError, Theorem
 from tresym.coq.theorem_trees import Fails
 from tresym.ledger.claim import Claim, Definition, Printed
+from tresym.ledger.formulas import Tending
 from tresym.ledger.paper import all_claims
+from tresym.reals.language.compound import Somewhere
 from tresym.reals.language.expression import number, symbol
 from tresym.reals.language.formula import Relation
 from tresym.reals.verdict import Verdict
@@ -63,10 +65,10 @@ def test_a_bound_whose_symbols_have_their_meaning_on_boxes_is_not_exported() -> 
 def test_what_is_refuted_is_that_there_is_a_counterexample() -> None:
     for claim, t in single():
         refuted = claim.expect is Verdict.REFUTED
-        if type(claim.statement).__name__ == "As":  # an order fails as a whole
+        if isinstance(claim.statement, Tending):  # an order fails as a whole
             assert refuted == isinstance(t.says, Fails)
             continue
-        if type(claim.statement).__name__ == "ForSome":  # at no point: it holds of all
+        if isinstance(claim.statement, Somewhere):  # at no point: it holds of all
             assert not t.exists
             assert t.says == Relation(symbol("b"), "<", number(1))
             continue
@@ -131,7 +133,7 @@ def test_of_a_refuted_conjunction_the_refuted_parts_are_said() -> None:
 
 
 def test_an_order_is_a_bound_at_all_points_that_are_near() -> None:
-    said = {claim.label: t.body for claim, t in single() if type(claim.statement).__name__ == "As"}
+    said = {claim.label: t.body for claim, t in single() if isinstance(claim.statement, Tending)}
     assert said["product_is_approached"].split(" : R, ")[:2] == [
         "  forall v_bound",
         "v_bound > 0 -> exists v_near",

@@ -30,11 +30,8 @@ def test_what_makes_numbers_defined_is_asked_once_and_the_rest_at_every_time() -
     found = printed("planar_system")
     assert not found.constants
     assert "sin psi) ^ 2 + 1 <> 0) (theta v_time) (psi v_time)" in found.body
-    assert [part for part, _ in printed("two_first_integrals").constants] == [
-        symbol("I2"),
-        symbol("I3"),
-        symbol("I1"),
-    ]
+    constants = [part for part, _ in printed("two_first_integrals").constants]
+    assert sorted(map(str, constants)) == ["I1", "I2", "I3"]
 
 
 def test_each_quantity_has_the_rate_zero_in_balls() -> None:
@@ -44,7 +41,7 @@ def test_each_quantity_has_the_rate_zero_in_balls() -> None:
     assert (m1 * rates[0] + m2 * rates[1] + m3 * rates[2]).contains(0)
     assert not (m1 * rates[0] + m2 * rates[1] - m3 * rates[2]).contains(0)
     text = printed("two_first_integrals").text
-    assert "v_M2 * v_M3 * (/ v_I3 + (-1) * / v_I2)" in text
+    assert "(-1) * v_M2 * v_M3 * (/ v_I2 + (-1) * / v_I3)" in text
 
 
 @pytest.mark.coq

@@ -2,13 +2,13 @@
 
 from derivations import by
 from sympy import Symbol
+from sympy_statements import equal
 
 from tresym.ledger.axioms import RULES, Axiom
 from tresym.ledger.claim import (
     Claim,
     Definition,
     all_of,
-    equal,
 )
 from tresym.ledger.finding import Finding
 from tresym.ledger.reasons import citing

@@ -6,6 +6,7 @@ import pytest
 from derivations import by, derived, step
 from flint import fmpq
 from sympy import Derivative, Integer, Ne, Subs, Symbol, Tuple, sin
+from sympy_statements import at, equal, equations
 
 from tresym.ledger.claim import (
     Claim,
@@ -15,10 +16,7 @@ from tresym.ledger.claim import (
     Place,
     Printed,
     all_of,
-    at,
     display,
-    equal,
-    equations,
     label_claims,
     line,
     parts_of,
@@ -28,6 +26,7 @@ from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import Premise
+from tresym.ledger.formulas import in_trees
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import algebra, citing, collecting, substituting
 from tresym.reals.verdict import Verdict
@@ -132,7 +131,7 @@ def test_a_definition_is_expected_to_be_one() -> None:
 def test_equations_are_not_evaluated() -> None:
     assert equal(x, x).args == (x, x)
     assert equations((x, y), (y, x)) == Tuple(equal(x, y), equal(y, x))
-    assert parts_of(Tuple(x > 0, y > 0)) == (x > 0, y > 0)
+    assert parts_of(in_trees(Tuple(x > 0, y > 0))) == (in_trees(x > 0), in_trees(y > 0))
     assert parts_of("prose") == ("prose",)
     assert isinstance(at(x**2, {x: 3}), Subs)
 

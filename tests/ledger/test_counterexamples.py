@@ -21,8 +21,8 @@ from sympy import (
     pi,
     sin,
 )
+from sympy_statements import equal
 
-from tresym.ledger.claim import equal
 from tresym.ledger.counterexamples import excluded, violation
 
 x, y, t = (Symbol(name, real=True) for name in "xyt")

@@ -22,13 +22,13 @@ from sympy import (
     sqrt,
     tan,
 )
+from sympy_statements import equal
 
 from tresym.ledger.claim import (
     Claim,
     Definition,
     Instance,
     all_of,
-    equal,
 )
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.finding import Finding

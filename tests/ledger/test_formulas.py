@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import sympy_statements as statements
 from sympy import Eq, Gt, Symbol, Tuple, oo
 
-from tresym.ledger import statements
 from tresym.ledger.formulas import Under, bound_names, in_trees, names_of, parts_of, relations_of
 from tresym.reals.language.compound import Equivalent, Together
 from tresym.reals.language.expression import ONE, symbol

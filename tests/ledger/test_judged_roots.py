@@ -18,15 +18,18 @@ from sympy import (
     sign,
     tanh,
 )
+from sympy_statements import ExactlyOne, equal
 
-from tresym.ledger.claim import Claim, ImplicitFunction, equal
+from tresym.ledger.claim import (
+    Claim,
+    ImplicitFunction,
+)
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import (
     differentiation,
 )
-from tresym.ledger.statements import ExactlyOne
 from tresym.reals.verdict import Verdict
 
 ONE = Integer(1)

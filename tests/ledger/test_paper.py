@@ -3,7 +3,9 @@
 import pytest
 from sympy import Ge, Symbol
 
-from tresym.ledger.claim import Claim
+from tresym.ledger.claim import (
+    Claim,
+)
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.paper import (
     Paper,

@@ -18,8 +18,12 @@ from sympy import (
     sin,
     sqrt,
 )
+from sympy_statements import ExactlyOne, equal
 
-from tresym.ledger.claim import Claim, Definition, equal
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+)
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
@@ -30,7 +34,6 @@ from tresym.ledger.reasons import (
     substituting,
 )
 from tresym.ledger.refutations import seen_false
-from tresym.ledger.statements import ExactlyOne
 from tresym.reals.verdict import Verdict
 
 FALSE = {

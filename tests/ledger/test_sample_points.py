@@ -4,8 +4,8 @@ from sympy import (
     Symbol,
     log,
 )
+from sympy_statements import equal
 
-from tresym.ledger.claim import equal
 from tresym.ledger.counterexamples import violation
 
 x, y, t = (Symbol(name, real=True) for name in "xyt")

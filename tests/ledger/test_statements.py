@@ -2,9 +2,8 @@
 
 import pytest
 from sympy import Function, Gt, Symbol, Tuple, cos
+from sympy_statements import ExactlyOne, Under, equal, order, together_under
 
-from tresym.ledger.claim import equal
-from tresym.ledger.statements import ExactlyOne, Under, order, together_under
 from tresym.report.typesetting.latex import says_latex
 
 pytestmark = pytest.mark.quick

@@ -11,7 +11,9 @@ from tresym.proofs import charts as stored_charts
 
 from tresym.commands import main
 from tresym.ledger import certificates, verification
-from tresym.ledger.claim import Claim
+from tresym.ledger.claim import (
+    Claim,
+)
 from tresym.ledger.evidence.box_bounds import Boxes, finding_anew
 from tresym.ledger.evidence.chart_bounds import Charted
 from tresym.ledger.finding import Finding

@@ -6,7 +6,9 @@ from importlib import import_module
 import pytest
 from tresym.proofs import PARTS, parts
 
-from tresym.ledger.claim import Claim
+from tresym.ledger.claim import (
+    Claim,
+)
 from tresym.ledger.paper import racket
 
 STATED = dict(zip(PARTS, (claims for _, claims in parts()), strict=True))

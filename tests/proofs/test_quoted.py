@@ -9,7 +9,10 @@ import pytest
 from cases import cases
 
 from tresym.ledger.axioms import RULES, Axiom
-from tresym.ledger.claim import Claim, Definition
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+)
 from tresym.ledger.paper import all_claims
 
 ROOT = Path(__file__).resolve().parent.parent.parent

@@ -181,8 +181,8 @@ def _rows(args: argparse.Namespace, paper: Path, settings: Settings, limit: floa
         found = (e.name for e in lacking if e.outside == outside)
         if names := [name[:100] for name in found]:
             print(f"{why}; left out: {', '.join(names[:5])}", file=sys.stderr)
-    for event in [one for one in events if isinstance(one, Missing) and one.why][:5]:
-        print(f"{event.name[:100]}: {event.why[:200]}", file=sys.stderr)
+    for broken in [one for one in events if isinstance(one, Missing) and one.why][:5]:
+        print(f"{broken.name[:100]}: {broken.why[:200]}", file=sys.stderr)
     for event in events:
         if isinstance(event, Missing) and event.guessed:
             print(

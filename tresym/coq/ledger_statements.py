@@ -206,7 +206,7 @@ def in_one_form(says: Any) -> Any:
     if isinstance(found, Equivalent) and len(found.parts) == 2:
         first, second = mapped(found, arranged).parts
         if isinstance(first, Relation) and isinstance(second, Relation):
-            return Equivalent(first_one_first((first, second)))  # type: ignore[arg-type]
+            return Equivalent(first_one_first((first, second)))
     return mapped(found, entry_of_a_matrix if isinstance(found, EqualMatrices) else arranged)
 
 

@@ -12,52 +12,47 @@ right side.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from typing import Any, ClassVar
 
 from flint import fmpq
-from sympy import And, Basic, Derivative, Eq, Expr, Ge, Gt, Le, Lt, Subs, Symbol, Tuple, true
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.finding import WEAKEST_FIRST, Premise, Ruling
-from tresym.ledger.statements import As, ExactlyOne, Statement, Under, together_under
+from tresym.ledger.formulas import (
+    Condition,
+    EqualMatrices,
+    Says,
+    Tending,
+    Under,
+    all_bound,
+    in_order,
+    in_trees,
+    is_bound,
+    names_of,
+    parts_of,
+    together_under,
+)
+from tresym.reals.language.compound import Count, Equivalent
+from tresym.reals.language.compound import Together as All
+from tresym.reals.language.expression import substitute, symbol
+from tresym.reals.language.formula import Relation
 from tresym.reals.notebook import html_table, in_one_line
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 
-def equal(left: Basic, right: Basic) -> Eq:
-    """Return the equation ``left = right``, which SymPy is not allowed to evaluate."""
-    return Eq(left, right, evaluate=False)
+def equal(left: Any, right: Any) -> Relation:
+    """Return the equation ``left = right``."""
+    return Relation(in_trees(left), "==", in_trees(right))
 
 
-def parts_of(says: Basic | str) -> tuple[Basic, ...]:
-    """Return the relations of a statement: the entries of a `Tuple`, or the statement itself."""
-    return says.args if isinstance(says, Tuple) else (says,)
-
-
-def equations(left: tuple[Basic, ...], right: tuple[Basic, ...]) -> Tuple:
-    """Return the system of equations ``left[i] = right[i]``; both tuples have the same length."""
-    return Tuple(*(equal(p, q) for p, q in zip(left, right, strict=True)))
-
-
-def at(e: Expr, values: Mapping[Symbol, Any]) -> Subs:
-    """Return ``e`` with its symbols replaced by ``values``, as an unevaluated `Subs`.
-
-    If SymPy evaluated the substitution, nothing would be left to prove.
-
-    Raises:
-        ValueError: ``e`` contains a derivative and two symbols get the same value. SymPy would
-            confuse the two symbols and identify different derivatives.
-    """
-    if e.has(Derivative) and len(set(values.values())) < len(values):
-        raise ValueError(
-            "two symbols get the same value inside a derivative; substitute one after the other"
-        )
-    return Subs(e, tuple(values), tuple(values.values()))
+def equations(left: Iterable[Any], right: Iterable[Any]) -> All:
+    """Return the system of equations ``left[i] = right[i]``; both have the same length."""
+    return All(tuple(equal(p, q) for p, q in zip(left, right, strict=True)))
 
 
 @dataclass(frozen=True)
@@ -88,23 +83,30 @@ class Reason:
     claims: tuple[Claim, ...] = ()
     function: str | None = None
     """For ``applying``: the injective function that is applied to both sides of an equation."""
-    expression: Expr | None = None
+    expression: Any = None
     """For ``changing_variable`` the new variable, for ``integrating`` the antiderivative, for
     ``cutting`` the point where the interval is divided, for ``differentiating_integral`` the
     derivative of the integrand."""
-    factor: Expr | None = None
+    factor: Any = None
     """For ``multiplying``: the non-zero factor that multiplies both sides of an equation."""
-    term: Expr | None = None
+    term: Any = None
     """For ``adding``: the term that is added to both sides of an equation."""
+
+    def __post_init__(self) -> None:
+        for name in ("expression", "factor", "term"):
+            object.__setattr__(self, name, in_trees(getattr(self, name)))
 
 
 @dataclass(frozen=True)
 class Step:
     """The next expression (or equation) of a chain, and the reasons that lead to it."""
 
-    expression: Basic | None
-    """None stands for the right side of the statement."""
+    expression: Any
+    """A tree or a statement; None stands for the right side of the statement."""
     reasons: tuple[Reason, ...]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "expression", in_trees(self.expression))
 
 
 Chain = tuple[Step, ...]
@@ -136,7 +138,7 @@ class Root:
     the equation at the root and of the two ends between which the root lies.
     """
 
-    symbol: Symbol
+    symbol: str
     unique: Claim
     kind: ClassVar[str] = "definition"
     expect: ClassVar[Ruling] = Premise.DEFINED
@@ -146,15 +148,17 @@ class Root:
         """The claim that the definition uses: that there is exactly one root."""
         return (self.unique,)
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "symbol", str(self.symbol))
+
     @property
-    def says(self) -> Tuple:
+    def says(self) -> All:
         """The equation that the root satisfies, and the interval that contains it."""
-        root, x = self.unique.statement, self.symbol
-        assert isinstance(root, ExactlyOne)
-        sides = (side.xreplace({root.variable: x}) for side in root.args[3].args)
-        return Tuple(
-            equal(*sides), Gt(x, root.low, evaluate=False), Lt(x, root.high, evaluate=False)
-        )
+        root, x = self.unique.statement, symbol(self.symbol)
+        assert isinstance(root, Count)
+        left, right = (in_order(substitute(side, {root.name: x})) for side in root.equation[::2])
+        inside = (Relation(x, ">", root.low), Relation(x, "<", root.high))
+        return All((Relation(left, "==", right), *inside))
 
 
 @dataclass(frozen=True)
@@ -189,14 +193,19 @@ class ImplicitFunction:
     """
 
     equation: Claim
-    unknown: Symbol
-    parameter: Symbol
-    at: Expr
+    unknown: str
+    parameter: str
+    at: Any
 
     @property
     def claims(self) -> tuple[Claim, ...]:
         """The claim with the equation."""
         return (self.equation,)
+
+    def __post_init__(self) -> None:
+        for name in ("unknown", "parameter"):
+            object.__setattr__(self, name, str(getattr(self, name)))
+        object.__setattr__(self, "at", in_trees(self.at))
 
 
 @dataclass(frozen=True)
@@ -253,7 +262,7 @@ def jointly(*claims: Claim) -> dict[str, Any]:
     if len(same) == 1 and not any(
         isinstance(part, Under) for s, _ in known for part in parts_of(s)
     ):
-        says = Tuple(*dict.fromkeys(part for s, _ in known for part in parts_of(s)))
+        says = All(tuple(dict.fromkeys(part for s, _ in known for part in parts_of(s))))
         written = [claim.shown for claim in claims]
         shown = {"shown": r",\quad ".join(filter(None, written))} if all(written) else {}
         return {"says": says, "given": known[0][1], "proof": AllOf(claims), **shown}
@@ -376,8 +385,12 @@ class FromTheEdge:
 
     monotone: Claim
     bound: Claim
-    at: Expr
-    of: Symbol | None = None
+    at: Any
+    of: Any = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "at", in_trees(self.at))
+        object.__setattr__(self, "of", None if self.of is None else str(self.of))
 
     @property
     def claims(self) -> tuple[Claim, ...]:
@@ -416,7 +429,7 @@ class InfimumBy:
 
     bound: Claim
     above: Claim
-    along: tuple[tuple[Symbol, Any], ...]
+    along: tuple[tuple[str, Any], ...]
     using: tuple[Claim, ...] = ()
 
     @property
@@ -466,7 +479,7 @@ class Instance:
     """
 
     claim: Claim
-    values: tuple[tuple[Symbol, Expr], ...]
+    values: tuple[tuple[str, Any], ...]
     cited: tuple[Claim, ...] = ()
 
     @property
@@ -474,21 +487,26 @@ class Instance:
         """The claims that the instance uses."""
         return (self.claim, *self.cited)
 
-    def put(self, relation: Basic) -> Basic:
-        """Return ``relation`` with the values substituted, unevaluated."""
-        sides = (side.xreplace(dict(self.values)) for side in relation.args)
-        return relation.func(*sides, evaluate=False)
+    def __post_init__(self) -> None:
+        values = tuple((str(name), in_trees(e)) for name, e in self.values)
+        object.__setattr__(self, "values", values)
+
+    def put(self, relation: Relation) -> Relation:
+        """Return ``relation`` with the values substituted."""
+        values = dict(self.values)
+        left, right = (in_order(substitute(e, values)) for e in (relation.left, relation.right))
+        return Relation(left, relation.sign, right)
 
     @property
-    def says(self) -> Basic:
-        """The statement of the instance; a `Tuple` if the general claim is one."""
+    def says(self) -> Any:
+        """The statement of the instance; a conjunction if the general claim is one."""
         general = self.claim.says
-        if not isinstance(general, Basic):
+        if isinstance(general, str):
             raise InputError(
                 f"{self.claim.label} is stated in words; only a formula can be instantiated"
             )
         parts = tuple(map(self.put, parts_of(general)))
-        return Tuple(*parts) if isinstance(general, Tuple) else parts[0]
+        return All(parts) if isinstance(general, All) else parts[0]
 
 
 Evidence = (
@@ -520,9 +538,10 @@ class Claim:
 
     Attributes:
         label: the paper's own ``\\label``, or a name given in proofs/; see :func:`label_claims`.
-        says: a SymPy relation, a `Tuple` of them, an `Equivalent`, or prose.
+        says: a statement of :mod:`tresym.ledger.formulas`, or prose. Here, and in every expression
+            of the evidence, one of SymPy is converted.
         means: the formula that is decided, if ``says`` is prose or a formula with an open order.
-        given: the conditions of the claim, as SymPy relations.
+        given: the conditions of the claim.
         proof: the evidence; its type determines how the claim is judged.
         where: the place in the paper; None for an auxiliary lemma.
         expect: the verdict that this claim must get; by default, the usual verdict for its type of
@@ -536,8 +555,6 @@ class Claim:
             if ``says`` is a stricter reading than the paper's.
         fault: for a claim expected to be REFUTED, what is wrong with the paper.
         quotes: theorems that the evidence applies and that no claim proves.
-        first: a function that raises an error if the claim may not be judged, or None. A text is
-            asked here whether each of its expressions has a value where that of SymPy has one.
         knowing: local facts. The sign prover shows each from the conditions of the claim and from
             the facts before it; ``Under(φ, (condition, …))`` is a fact about a bound variable.
 
@@ -548,10 +565,10 @@ class Claim:
     """
 
     label: str = ""
-    says: Basic | str = ""
+    says: Any = ""
     proof: Evidence = None
     kind: str = ""
-    given: tuple[Basic, ...] = ()
+    given: tuple[Any, ...] = ()
     where: Place | None = None
     expect: Ruling = None  # type: ignore[assignment]
     amended_by: tuple[Claim, ...] = ()
@@ -560,12 +577,14 @@ class Claim:
     paper_says: str = ""
     fault: Fault = Fault.STATEMENT
     quotes: tuple[Axiom, ...] = ()
-    means: Basic | None = None
-    knowing: tuple[Basic, ...] = ()
-    first: Callable[[], None] | None = field(default=None, repr=False, compare=False)
+    means: Any = None
+    knowing: tuple[Any, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "given", tuple(_conditions(self.given)))
+        for name in ("says", "means"):
+            object.__setattr__(self, name, in_trees(getattr(self, name)))
+        object.__setattr__(self, "given", tuple(_conditions(map(in_trees, self.given))))
+        object.__setattr__(self, "knowing", tuple(map(in_trees, self.knowing)))
         defined = isinstance(self.proof, Definition | Root)
         if defined or not self.kind:
             object.__setattr__(self, "kind", _kind(self.says, self.proof))
@@ -590,14 +609,17 @@ class Claim:
 
     def _repr_latex_(self) -> str:
         """Return LaTeX of the formula that is decided, or the prose if there is no formula."""
-        from sympy import latex
+        from tresym.reals.language.typesetting import to_latex
 
         if self.statement is None:
             return f"$\\text{{{self.says}}}$"
-        return f"${latex(self.statement)}$"
+        parts = self.parts
+        if not all(isinstance(part, Relation) for part in parts):
+            return f"$\\text{{{self.statement}}}$"
+        return f"${to_latex(parts)}$"
 
     @cached_property
-    def statement(self) -> Basic | None:
+    def statement(self) -> Says | None:
         """The formula that is decided, for all values of its free symbols under ``given``.
 
         The formula of a conjunction combines those of its parts, each under its own conditions.
@@ -605,12 +627,12 @@ class Claim:
 
         Example:
             >>> import tresym
-            >>> tresym.verify("eq_gamma")["eq_gamma"].claim.statement
-            Eq(gamma, a - (a + b*sin(psi)**2)*sin(theta)**2)
+            >>> print(tresym.verify("eq_gamma")["eq_gamma"].claim.statement)
+            gamma == a - sin(theta)**2*(a + b*sin(psi)**2)
         """
         if self.means is not None:
             return self.means
-        if isinstance(self.says, Basic):
+        if not isinstance(self.says, str):
             return self.says
         if not isinstance(self.proof, AllOf) or self.proof.words:
             return None
@@ -619,44 +641,45 @@ class Claim:
         return together_under(known) if len(known) == len(parts) else None
 
     @property
-    def decided(self) -> Basic | str:
+    def decided(self) -> Says | str:
         """The formula that other claims may substitute or cite; prose if there is no formula.
 
         Example:
             >>> import tresym
-            >>> tresym.verify("eq_gamma")["eq_gamma"].claim.decided
-            Eq(gamma, a - (a + b*sin(psi)**2)*sin(theta)**2)
+            >>> print(tresym.verify("eq_gamma")["eq_gamma"].claim.decided)
+            gamma == a - sin(theta)**2*(a + b*sin(psi)**2)
         """
         return self.says if self.means is None else self.means
 
     @property
     def in_formulas(self) -> bool:
-        """Whether `decided` consists of SymPy relations (not prose and not a `Statement`).
+        """Whether `decided` consists of relations and equivalences.
 
         Example:
             >>> import tresym
             >>> tresym.verify("eq_gamma")["eq_gamma"].claim.in_formulas
             True
         """
-        if not isinstance(self.decided, Basic):
+        if isinstance(self.decided, str):
             return False
-        return not any(isinstance(part, Statement) for part in parts_of(self.decided))
+        parts = parts_of(self.decided)
+        return all(isinstance(part, Relation | EqualMatrices | Equivalent) for part in parts)
 
     @cached_property
-    def symbols(self) -> frozenset[Symbol]:
-        """All symbols that occur in the claim or in its evidence.
+    def symbols(self) -> frozenset[str]:
+        """The names of all symbols that occur in the claim or in its evidence.
 
         Example:
             >>> import tresym
             >>> claim = tresym.verify("eq_gamma")["eq_gamma"].claim
-            >>> {"a", "b", "gamma"} <= {symbol.name for symbol in claim.symbols}
+            >>> {"a", "b", "gamma"} <= claim.symbols
             True
         """
-        written = (e for e in expressions(self) if isinstance(e, Basic))
-        return frozenset(s for e in written for s in e.atoms(Symbol))
+        written = tuple(expressions(self))
+        return names_of(*written).union(*map(all_bound, written))
 
     @property
-    def parts(self) -> tuple[Basic, ...]:
+    def parts(self) -> tuple[Any, ...]:
         """The relations of the statement; empty if there is no formula.
 
         Example:
@@ -715,28 +738,29 @@ def label_claims(names: Mapping[str, Any]) -> None:
             object.__setattr__(value, "label", name)
 
 
-def saying(claim: Claim, changed: Basic) -> Claim:
+def saying(claim: Claim, changed: Any) -> Claim:
     """Return a copy of the claim that states ``changed`` instead; used to make mutants."""
-    if isinstance(changed, As) and isinstance(claim.says, Basic):
-        return replace(claim, says=changed.args[0], means=changed)
+    changed = in_trees(changed)
+    if isinstance(changed, Tending) and not isinstance(claim.says, str):
+        return replace(claim, says=changed.relation, means=changed)
     meant = isinstance(claim.says, str) or claim.means is not None
     return replace(claim, means=changed) if meant else replace(claim, says=changed)
 
 
-def _conditions(given: Iterable[Basic]) -> Iterator[Basic]:
-    """Yield the single conditions: conjunctions are split, and ``True`` is dropped."""
+def _conditions(given: Iterable[Any]) -> Iterator[Condition]:
+    """Yield the single conditions: conjunctions are split."""
     for condition in given:
-        if isinstance(condition, And):
-            yield from _conditions(condition.args)
-        elif condition is not true:
+        if isinstance(condition, All):
+            yield from _conditions(condition.parts)
+        else:
             yield condition
 
 
-def _kind(says: Basic | str, proof: Evidence) -> str:
+def _kind(says: Any, proof: Evidence) -> str:
     """Return the kind of a claim: determined by its evidence if possible, else by its form."""
-    if isinstance(says, str | Statement):
+    if not isinstance(says, Relation | All | Equivalent | EqualMatrices):
         return getattr(proof, "kind", "statement")
-    inequalities = all(isinstance(part, Ge | Gt | Le | Lt) for part in parts_of(says))
+    inequalities = all(is_bound(part) and part.sign != "!=" for part in parts_of(says))
     return getattr(proof, "kind", "bound" if inequalities else "identity")
 
 
@@ -747,16 +771,16 @@ def _expected(proof: Evidence) -> Ruling:
     return Verdict.ENCLOSED if by_type is Verdict.PROVED and enclosed else by_type
 
 
-def expressions(claim: Claim) -> Iterator[Basic]:
+def expressions(claim: Claim) -> Iterator[Any]:
     """Yield all expressions of the claim and its evidence: statement, conditions and steps."""
     proof = claim.proof
-    yield from (e for e in (claim.says, claim.means) if isinstance(e, Basic))
+    yield from (e for e in (claim.says, claim.means) if not isinstance(e, str | None))
     yield from claim.given
     yield from claim.knowing
     if isinstance(proof, ImplicitFunction):
-        yield from (proof.unknown, proof.parameter, proof.at)
+        yield from (symbol(proof.unknown), symbol(proof.parameter), proof.at)
     if isinstance(proof, Instance):
-        yield from (e for pair in proof.values for e in pair if isinstance(e, Basic))
+        yield from (e for name, value in proof.values for e in (symbol(name), value))
     for chain in _chains(proof):
         for link in chain:
             reasons = ((r.expression, r.factor, r.term) for r in link.reasons)
@@ -776,10 +800,10 @@ def put_in_by(claim: Claim) -> tuple[Claim, ...]:
     return tuple(dict.fromkeys(c for r in reasons if r.name == "substituting" for c in r.claims))
 
 
-def asked_by(claim: Claim) -> dict[str, tuple[Basic, ...]]:
+def asked_by(claim: Claim) -> dict[str, tuple[Any, ...]]:
     """Return the conditions of the claims that are conjoined or substituted, by label."""
     conjoined = isinstance(claim.proof, AllOf)
-    asked: dict[str, tuple[Basic, ...]] = {}
+    asked: dict[str, tuple[Any, ...]] = {}
     for part in claim.uses if conjoined else put_in_by(claim):
         asked |= asked_by(part) if isinstance(part.proof, AllOf) and conjoined else {}
         asked |= {part.label: part.given} if part.given else {}

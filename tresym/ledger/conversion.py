@@ -1,25 +1,30 @@
-"""Convert a claim's SymPy expressions to trees, once each.
+"""What claims state as formulas, their conditions, and definitions that are put in.
 
-Claims are written in SymPy, because SymPy expressions are easy to read and to print. The decision
-procedures work on expression trees and formulas (`tresym.reals.language`) instead, in which
-integrals, derivatives, substitutions and orders are nodes that bind their variables. This module
-also substitutes definitions, but only those that a reason names.
+Definitions are put in only where a reason names them. Example: where the claim ``y == x**2`` is put
+in, ``y + 1`` becomes ``x**2 + 1``; in ``integral(y, x, 0, 1)``, y would be misread (`misread`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
-
-from sympy import Basic, MatrixBase
-from sympy import Expr as Expression
+from typing import Any
 
 from tresym.ledger.claim import Claim, Definition, ImplicitFunction, Root
+from tresym.ledger.formulas import EqualMatrices, in_trees, names_of
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language import sympy as sympy_reader
 from tresym.reals.language.binders import elementary, ordered
-from tresym.reals.language.expression import BINDERS, LEAVES, Expr, replaced, substitute, symbols
-from tresym.reals.language.formula import Conjunction, Formula, Relation, relations
+from tresym.reals.language.compound import Equivalent, Together
+from tresym.reals.language.expression import (
+    BINDERS,
+    LEAVES,
+    Expr,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.formula import Conjunction, Equivalence, Formula, Relation
 from tresym.reals.numbers.exact import InputError
 
 Rules = dict[Expr, Expr]
@@ -40,43 +45,42 @@ class CircularError(ValueError):
     """Definitions are circular, or a substitution would capture a bound variable."""
 
 
-@lru_cache(maxsize=REMEMBERED)
-def tree(e: Basic) -> Expr:
-    """Return the expression tree of ``e`` without evaluating or simplifying anything."""
-    return sympy_reader.unworked(e)
+tree = in_trees
+"""Return the tree of an expression, without evaluating or simplifying anything."""
 
 
-@lru_cache(maxsize=REMEMBERED)
-def formula(says: Basic) -> Formula:
-    """Return the formula of a SymPy statement."""
-    return sympy_reader.formula(says)
+def formula(says: Any) -> Formula:
+    """Return the formula of a statement.
+
+    Raises:
+        InputError: it is not made of relations.
+    """
+    says = in_trees(says)
+    if isinstance(says, Relation):
+        return says
+    if isinstance(says, Together):
+        return Conjunction(tuple(map(formula, says.parts)))
+    if isinstance(says, EqualMatrices):
+        return Conjunction(says.entries)
+    if isinstance(says, Equivalent) and len(says.parts) == 2:
+        return Equivalence(*map(formula, says.parts))
+    raise InputError(f"{says} is not a relation such as a > 0")
 
 
-def stage(e: Basic) -> Stage:
+def stage(e: Any) -> Stage:
     """Return the stage that a step of a chain states.
 
     Raises:
-        InputError: ``e`` is neither an equation nor a number nor a matrix.
+        InputError: ``e`` is neither an equation nor a number.
     """
-    if isinstance(e, MatrixBase):
-        return tuple(map(tree, e))
-    if not e.is_Relational:
-        return (tree(e),)
-    found = formula(e)
+    found = in_trees(e)
+    if isinstance(found, EqualMatrices):
+        raise InputError(f"{e} cannot be a step of a chain: state its entries")
+    if isinstance(found, Expr):
+        return (found,)
     if isinstance(found, Relation) and found.sign == "==":
         return found
     raise InputError(f"{e} cannot be a step of a chain: state an expression or an equation")
-
-
-def sides(e: Basic) -> Iterator[Expr]:
-    """Yield the trees of a formula's sides, a matrix's entries, or a number."""
-    if isinstance(e, MatrixBase):
-        yield from map(tree, e)
-    elif isinstance(e, Expression):
-        yield tree(e)
-    else:
-        for relation in relations(formula(e)):
-            yield from (relation.left, relation.right)
 
 
 def conjuncts(formula: Formula) -> Iterator[Formula]:
@@ -89,7 +93,7 @@ def conjuncts(formula: Formula) -> Iterator[Formula]:
 
 
 @lru_cache(maxsize=REMEMBERED)
-def conditions(given: tuple[Basic, ...]) -> Conditions:
+def conditions(given: tuple[Any, ...]) -> Conditions:
     """Return the conditions of a claim (``given``) as relations.
 
     Raises:
@@ -126,7 +130,7 @@ def defined(claim: Claim) -> frozenset[str]:
     An equation for an integral may define any symbol in it, so all of them are included.
     """
     claims = (claim, *claim.rests_on)
-    roots = (c.proof.symbol.name for c in claims if isinstance(c.proof, Root))
+    roots = (c.proof.symbol for c in claims if isinstance(c.proof, Root))
     behind = (c for c in claims if isinstance(c.proof, DEFINING))
     return frozenset(roots).union(*(symbols(left) for c in behind for left in definitions((c,))))
 
@@ -138,7 +142,7 @@ def dependencies(claims: Iterable[Claim]) -> Behind:
     """
     found: dict[str, frozenset[str]] = {}
     for claim in claims:
-        given = frozenset(str(s) for condition in claim.given for s in condition.free_symbols)
+        given = names_of(*claim.given)
         for left, behind in _dependencies(claim):
             for name in symbols(left) if left.op == "symbol" else behind:
                 found[name] = found.get(name, frozenset()) | (behind | given) - {name}
@@ -151,7 +155,7 @@ def _dependencies(claim: Claim) -> Iterator[tuple[Expr, frozenset[str]]]:
     """Yield each defined symbol (or integral) of a claim with the symbols of its definition."""
     if isinstance(claim.proof, Root):
         unique = claim.proof.unique.statement
-        yield tree(claim.proof.symbol), frozenset(map(str, unique.free_symbols if unique else ()))
+        yield symbol(claim.proof.symbol), names_of(unique) if unique else frozenset()
     elif isinstance(claim.proof, DEFINING):
         for left, right in definitions((claim,)).items():
             yield left, symbols(left) | symbols(right)

@@ -6,9 +6,11 @@ search finds a tiny segment at whose ends the difference of its sides has opposi
 statement is then evaluated in ball arithmetic at exact points that satisfy the conditions; it is
 violated if the balls of its two sides exclude the relation.
 
-Balls are computed from the SymPy expression as it was written, integrals included
-(`tresym.ledger.ball_evaluation`). The code shares nothing with the expression trees and decision
-procedures whose results it may contradict.
+Balls are computed from the expression as it was written, integrals included
+(`tresym.ledger.ball_evaluation`), by other code than that of the decision procedures whose results
+they may contradict.
+
+Example: ``x**2 == x`` where x > 3 is violated at x = 7/2.
 """
 
 from __future__ import annotations
@@ -16,33 +18,28 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any
 
 from flint import arb, fmpq
-from sympy import (
-    Basic,
-    Derivative,
-    Eq,
-    Equivalent,
-    Integer,
-    Integral,
-    MatrixBase,
-    Subs,
-    Symbol,
-    Tuple,
-    true,
-)
-from sympy.core.relational import Relational
 
-from tresym.ledger.ball_evaluation import differentiated
-from tresym.ledger.claim import Claim, equal, parts_of
-from tresym.ledger.conversion import MAX_PASSES, CircularError, tree
+from tresym.ledger.claim import Claim
+from tresym.ledger.conversion import MAX_PASSES, CircularError
+from tresym.ledger.formulas import (
+    EqualMatrices,
+    Says,
+    binders_in,
+    in_trees,
+    is_equation,
+    names_of,
+    parts_of,
+    relations_of,
+)
 from tresym.ledger.sample_points import (
     BITS,
     POINTS,
     Conditions,
     Place,
     World,
-    names_of,
     need_unbound,
     places,
     points_for,
@@ -50,13 +47,25 @@ from tresym.ledger.sample_points import (
 )
 from tresym.reals import cross_check
 from tresym.reals.decisions.identity import decide
+from tresym.reals.decisions.root_values import by_leibniz
 from tresym.reals.domain.conditions import Given
-from tresym.reals.language.binders import generalised
+from tresym.reals.language.binders import elementary, generalised, worked_out
+from tresym.reals.language.compound import Equivalent, Together
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    substitute,
+    symbol,
+    symbols,
+)
+from tresym.reals.language.formula import Relation
+from tresym.reals.language.like_terms import collected
 from tresym.reals.numbers.arithmetic import ball_precision
-from tresym.reals.numbers.exact import Interval, fraction_text
+from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.reals.verdict import Verdict
 
-Rules = dict[Basic, Basic]
+Rules = dict[Expr, Expr]
 LOOKS = ((BITS, POINTS), (1024, 2))
 """Pairs of a precision in bits and the number of points tried with it."""
 ENOUGH, TRIED = (6, 1), (16, 12)
@@ -76,35 +85,37 @@ class Violation:
 
 
 @lru_cache(maxsize=4096)
-def violation(says: Basic, given: Conditions, known: tuple[Basic, ...] = ()) -> Violation | None:
+def violation(says: Says, given: Conditions, known: tuple[Says, ...] = ()) -> Violation | None:
     """Return a point where ``given`` and ``known`` hold but ``says`` fails; None if not found.
 
     Args:
-        says: a relation, a `Tuple` of relations (one of them must fail), or an `Equivalent` of two
+        says: a relation, several of them (one of them must fail), or an equivalence of two
             equations.
         given: the conditions of the claim.
         known: relations of the claims that are used.
 
     Example:
-        >>> from sympy import Symbol
-        >>> from tresym.ledger.claim import equal
-        >>> x = Symbol("x", real=True)
-        >>> violation(equal(x**2, x), (x > 3,)).why[:14]
+        >>> from tresym.reals.language.expression import number
+        >>> x = symbol("x")
+        >>> above = Relation(x, ">", number(3))
+        >>> violation(Relation(x**2, "==", x), (above,)).why[:14]
         'violated at x '
     """
+    says, given, known = in_trees(says), _in_trees(given), _in_trees(known)
     for relation, there in _relations(says, known):
         world = _world(given, there)
-        points = points_for(world, world.names(*relation.args))
+        sides = (relation.left, relation.right)
+        points = points_for(world, world.names(*sides))
         for bits, count in LOOKS:
             for place in points.first(count):
                 with ball_precision(bits):
-                    left, right = world.values(relation.args, place)
-                    if excluded(left - right, relation.rel_op):
+                    left, right = world.values(sides, place)
+                    if excluded(left - right, relation.sign):
                         return _violated_at(place)
     return None
 
 
-def contradiction(says: Basic, given: Conditions, known: tuple[Basic, ...] = ()) -> str | None:
+def contradiction(says: Says, given: Conditions, known: tuple[Says, ...] = ()) -> str | None:
     """Look for a violation at the points of the independent check; describe it, or return None.
 
     The points come from `tresym.reals.cross_check`, not from the sampling that the provers and
@@ -115,17 +126,19 @@ def contradiction(says: Basic, given: Conditions, known: tuple[Basic, ...] = ())
         given: the conditions of the claim.
         known: relations that are assumed.
     """
-    relations = tuple(_relations(says, known))
-    for relation, there in relations:
+    says, given, known = in_trees(says), _in_trees(given), _in_trees(known)
+    for relation, there in _relations(says, known):
         world = _world(given, there)
+        ends = (relation.left, relation.right)
         shown = 0
-        expensive = bool(world.implicit) or relation.has(Integral)
+        slow = any(node.op == "integral" for node in binders_in(*ends))
+        expensive = bool(world.implicit) or slow
         with ball_precision(BITS):
-            for tried, place in enumerate(places(world, world.names(*relation.args)), 1):
+            for tried, place in enumerate(places(world, world.names(*ends)), 1):
                 if place is not None:
-                    sides = world.values(relation.args, place)
+                    sides = world.values(ends, place)
                     shown += sides[0].is_finite() and sides[1].is_finite()
-                    if excluded(sides[0] - sides[1], relation.rel_op):
+                    if excluded(sides[0] - sides[1], relation.sign):
                         seen = " and ".join(map(cross_check.said, sides))
                         return f"{_violated_at(place).why}: the sides are {seen}"
                 if shown >= ENOUGH[expensive] or tried >= TRIED[expensive]:
@@ -133,36 +146,41 @@ def contradiction(says: Basic, given: Conditions, known: tuple[Basic, ...] = ())
     return None
 
 
-def _relations(
-    says: Basic, known: tuple[Basic, ...]
-) -> Iterator[tuple[Relational, tuple[Basic, ...]]]:
-    """Yield the scalar relations of ``says``, each with the relations assumed for it.
+def _in_trees(stated: tuple[Any, ...]) -> tuple[Any, ...]:
+    return tuple(map(in_trees, stated))
+
+
+def _relations(says: Says, known: tuple[Says, ...]) -> Iterator[tuple[Relation, tuple[Says, ...]]]:
+    """Yield the relations of ``says``, each with what is assumed for it.
 
     For an equivalence, each side is tested under the assumption of the other.
     """
-    if isinstance(says, Equivalent) and len(says.args) == 2:
-        first, second = says.args
+    if isinstance(says, Equivalent) and len(says.parts) == 2:
+        first, second = says.parts
         yield from _relations(second, (*known, first))
         yield from _relations(first, (*known, second))
-    elif isinstance(says, Tuple):
-        for part in says.args:
+    elif isinstance(says, Together):
+        for part in says.parts:
             yield from _relations(part, known)
-    elif isinstance(says, Relational):
-        yield from ((entry, known) for entry in scalars(says))
+    elif isinstance(says, Relation | EqualMatrices):
+        yield from ((relation, known) for relation in relations_of(says))
 
 
-def somewhere(given: Conditions, known: tuple[Basic, ...]) -> tuple[Rules, tuple[Place, ...]]:
+def somewhere(given: Conditions, known: tuple[Says, ...]) -> tuple[Rules, tuple[Place, ...]]:
     """Return the substitution rules of ``known`` and points (or segments) where all may hold.
 
     Derivatives in the rules of symbols that occur in ``given`` are carried out where this removes
     the integral.
     """
-    world, rules = _world(given, known), {}
+    given, known = _in_trees(given), _in_trees(known)
+    world = _world(given, known)
     spoken_of = names_of(*given)
-    for left, right in world.rules:
-        done = differentiated(right) if isinstance(right, Derivative) else right
-        rules[left] = right if left not in spoken_of or done.has(Integral) else done
-    return rules, tuple(points_for(world, world.names(*rules.values()), enough=1))
+    rules: Rules = {}
+    for name, meaning in world.rules:
+        done = by_leibniz(worked_out(meaning)) if name in spoken_of else meaning
+        rules[symbol(name)] = done if elementary(done) else meaning
+    names = world.names(*rules.values())
+    return rules, tuple(points_for(world, names, enough=1))
 
 
 def excluded(difference: arb, relation: str) -> bool:
@@ -186,43 +204,44 @@ def excluded(difference: arb, relation: str) -> bool:
     )
 
 
-def _violated_at(place: Mapping[Symbol, Interval]) -> Violation:
+def _violated_at(place: Place) -> Violation:
     """Describe the violation at a place."""
-    named = sorted((s.name, (i.low + i.high) / 2, i.low == i.high) for s, i in place.items())
+    named = sorted((n, (i.low + i.high) / 2, i.low == i.high) for n, i in place.items())
     where = [f"{n} = {fraction_text(v)}" for n, v, exact in named if exact]
     where += [f"a root {n} near {float(v.p) / float(v.q)!r}" for n, v, exact in named if not exact]
     why = "violated at " + (", ".join(where) or "the constants themselves")
     return Violation({n: v for n, v, _ in named}, why)
 
 
-def scalars(equation: Basic) -> list[Basic]:
-    """Return the entries of an equation of matrices; any other relation alone in a list."""
-    left, right = equation.args if isinstance(equation, Relational) else (None, None)
-    if isinstance(left, MatrixBase) and isinstance(right, MatrixBase):
-        return [equal(p, q) for p, q in zip(left, right, strict=True)]
-    return [equation]
-
-
 # Points where the conditions and all used equations hold
 
 
 @lru_cache(maxsize=512)
-def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
-    """Turn the equations of ``known`` into rules where possible; keep the others as implicit."""
-    relations = [entry for relation in known for entry in scalars(relation)]
-    equations = [r for r in relations if isinstance(r, Eq)]
-    rules: dict[Symbol, Basic] = {}
+def _world(given: Conditions, known: tuple[Says, ...]) -> World:
+    """Turn the equations of ``known`` into rules where possible; keep the others as implicit.
+
+    Raises:
+        InputError: a condition is none that a point can be tried on.
+    """
+    if not all(isinstance(c, Relation) for c in given):
+        raise InputError("a printed number is no condition on a point")
+    relations = [r for says in known for r in relations_of(says)]
+    relations += [c for c in given if c.sign == "=="]
+    given = tuple(c for c in given if c.sign != "==")
+    equations = [r for r in relations if r.sign == "=="]
+    rules: dict[str, Expr] = {}
     pending = []
-    for left, right in (equation.args for equation in equations):
-        new = isinstance(left, Symbol) and left not in rules
-        if new and left not in reached(right.free_symbols, rules):
-            rules[left] = right
+    for left, _, right in equations:
+        name = str(left)
+        new = left.op == "symbol" and name not in rules
+        if new and name not in reached(symbols(right), rules):
+            rules[name] = right
         elif left != right:
             pending.append((left, right))
     need_unbound(rules.values(), rules)
     conditioned = names_of(*given)
-    plain = tuple(c for c in given if not c.has(Integral, Derivative, Subs, Eq))
-    implicit = []
+    plain = tuple(c for c in given if elementary(c.left, c.right))
+    implicit: list[Expr] = []
     for left, right in pending:
         large = _size((left, right), rules) > LARGE
         solved = _solved(left - right, conditioned, rules) if large else None
@@ -236,78 +255,76 @@ def _world(given: Conditions, known: tuple[Basic, ...]) -> World:
         else:
             rules[solved[0]] = solved[1]
     # An equation that could not be solved may have become an identity by the rules found later.
-    same = (_identical(put_in(e, rules), Integer(0), plain) for e in implicit)
+    same = [_identical(put_in(e, rules), ZERO, plain) for e in implicit]
     implicit = [e for e, holds in zip(implicit, same, strict=True) if not holds]
-    asked = dict.fromkeys((*given, *(r for r in relations if not isinstance(r, Eq))))
-    small = [c for c in asked if _size((c,), rules) <= LARGE]
+    asked = dict.fromkeys((*given, *(r for r in relations if r.sign != "==")))
+    small = [c for c in asked if _size((c.left, c.right), rules) <= LARGE]
     others = tuple(c for c in asked if c not in small)
-    need_unbound((*implicit, *others), rules)
-    conditions = dict.fromkeys(c for c in (put_in(c, rules) for c in small) if c != true)
-    return World(tuple(conditions), tuple(rules.items()), tuple(implicit), others)
+    need_unbound((*implicit, *(side for c in others for side in (c.left, c.right))), rules)
+    put = (Relation(put_in(c.left, rules), c.sign, put_in(c.right, rules)) for c in small)
+    return World(tuple(dict.fromkeys(put)), tuple(rules.items()), tuple(implicit), others)
 
 
-def _size(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> int:
+def _size(sides: Iterable[Expr], rules: Mapping[str, Expr]) -> int:
     """Return the number of nodes that ``sides`` would have with all rules substituted."""
-    known: dict[Basic, int] = {}
+    known: dict[Expr, int] = {}
 
-    def size(e: Basic) -> int:
+    def size(e: Expr) -> int:
         if e not in known:
-            known[e] = size(rules[e]) if e in rules else 1 + sum(map(size, e.args))
+            rule = rules.get(str(e.args[0])) if e.op == "symbol" else None
+            inner = (arg for arg in e.args if isinstance(arg, Expr))
+            known[e] = size(rule) if rule is not None else 1 + sum(map(size, inner))
         return known[e]
 
     return sum(map(size, sides))
 
 
 @lru_cache(maxsize=512)
-def _identical(left: Basic, right: Basic, given: Conditions) -> bool:
+def _identical(left: Expr, right: Expr, given: Conditions) -> bool:
     """Return whether the two sides are proved equal under ``given``."""
-    one, other = generalised(tree(left), tree(right))
-    return decide(one, other, Given.from_sympy(*given)).verdict is Verdict.PROVED
+    one, other = generalised(left, right)
+    return decide(one, other, Given(given)).verdict is Verdict.PROVED
 
 
-def rules_of(claims: Iterable[Claim]) -> Rules:
-    """Return the equations stated by the claims, as rules from left side to right side."""
-    parts = (p for claim in claims for p in parts_of(claim.says) if isinstance(p, Eq))
-    return {e.lhs: e.rhs for part in parts for e in scalars(part) if not e.lhs.is_number}
+def rules_of(claims: Iterable[Claim]) -> dict[str, Expr]:
+    """Return the equations for symbols that the claims state, as rules."""
+    parts = (p for c in claims for p in parts_of(in_trees(c.says)) if is_equation(p))
+    equations = (r for part in parts for r in relations_of(part))
+    return {str(r.left): r.right for r in equations if r.left.op == "symbol"}
 
 
-def put_in(expression: Basic, rules: Rules) -> Basic:
-    """Replace left sides by right sides until nothing changes, using SymPy's ``xreplace``.
+def put_in(e: Expr, rules: Mapping[str, Expr]) -> Expr:
+    """Replace symbols by their meanings until nothing changes.
 
     Raises:
         CircularError: a symbol is defined in terms of itself, or occurs where a variable is bound
-            on which its definition depends.
+            on which its meaning depends.
     """
+    need_unbound((e,), rules)
     for _ in range(MAX_PASSES):
-        for node in expression.atoms(Integral, Derivative, Subs):
-            bound = set(node.variables)
-            for left, right in rules.items():
-                if node == left:  # the node itself is replaced as a whole, so nothing is captured
-                    continue
-                if bound & (left.free_symbols | right.free_symbols) and node.has(left):
-                    raise CircularError(
-                        f"{left} is defined in terms of a variable that is bound where it occurs"
-                    )
-        replaced = expression.xreplace(rules)
-        if replaced == expression:
-            return expression
-        expression = replaced
-    raise CircularError(f"the definitions of {sorted(map(str, rules))} are circular")
+        changed = substitute(e, rules)
+        if changed == e:
+            return e
+        e = changed
+    raise CircularError(f"the definitions of {sorted(rules)} are circular")
 
 
 def _solved(
-    difference: Basic, conditioned: frozenset[Symbol], rules: Mapping[Symbol, Basic]
-) -> tuple[Symbol, Basic] | None:
+    difference: Expr, conditioned: frozenset[str], rules: Mapping[str, Expr]
+) -> tuple[str, Expr] | None:
     """Solve ``difference = 0`` for a symbol in which it is linear; None if there is none.
 
     Symbols that occur in no condition (not in ``conditioned``) are preferred.
     """
-    names = difference.free_symbols
-    if difference.has(Integral):
+    if not elementary(difference):
         return None
-    for symbol in sorted(names.difference(rules), key=lambda s: (s in conditioned, s.name)):
-        slope = difference.diff(symbol)
-        alone = symbol not in reached(names - {symbol}, rules)
-        if alone and slope != 0 and symbol not in slope.free_symbols:
-            return symbol, -difference.subs(symbol, 0) / slope
+    names = symbols(difference)
+    for name in sorted(names.difference(rules), key=lambda s: (s in conditioned, s)):
+        slope = collected(differentiate(difference, name))
+        if name in reached(names - {name}, rules) or name in symbols(slope) or slope == ZERO:
+            continue
+        try:
+            return name, -substitute(difference, {name: ZERO}) / slope
+        except ZeroDivisionError:
+            continue
     return None

@@ -16,11 +16,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from itertools import combinations
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from sympy import Basic, Derivative, Eq, Integral, Subs, Symbol
-
-from tresym.ledger.claim import Claim, Definition, Root, equal, expressions, parts_of
+from tresym.ledger.claim import Claim, Definition, Root, expressions
 from tresym.ledger.conversion import (
     DEFINING,
     Behind,
@@ -29,18 +27,25 @@ from tresym.ledger.conversion import (
     conditions,
     known,
     misread,
-    sides,
-    tree,
 )
-from tresym.ledger.counterexamples import scalars
 from tresym.ledger.evidence.integrals import NotShownError, need_value
 from tresym.ledger.evidence.satisfiability import satisfiable
 from tresym.ledger.evidence.sign_prover import is_manifest
 from tresym.ledger.finding import Finding
-from tresym.ledger.statements import Binding, ExactlyOne
-from tresym.reals.language.expression import Expr, symbols
-from tresym.reals.language.formula import names
-from tresym.reals.numbers.exact import InputError
+from tresym.ledger.formulas import (
+    Under,
+    all_bound,
+    in_trees,
+    is_equation,
+    names_of,
+    parts_of,
+    relations_of,
+    sides_of,
+)
+from tresym.reals.domain.operation_domains import operations
+from tresym.reals.language.compound import Count, Equivalent, Together
+from tresym.reals.language.expression import Expr, substitute, symbol, symbols
+from tresym.reals.language.formula import Relation, names
 from tresym.reals.verdict import Verdict
 
 UNDECIDED = Verdict.UNDECIDED
@@ -57,7 +62,7 @@ class Entry(NamedTuple):
     meaning: Expr
     """The defining term; for a root, the function that vanishes at it."""
     claim: Claim
-    written: Eq
+    written: Relation
 
     @property
     def explicit(self) -> bool:
@@ -73,30 +78,31 @@ class Entry(NamedTuple):
 def table(claims: Iterable[Claim]) -> tuple[Entry, ...]:
     """Return the definitions and assumptions among ``claims`` as rows of the table, in order."""
     return tuple(
-        Entry(tree(e.lhs), tree(e.rhs), claim, e)
+        Entry(e.left, e.right, claim, e)
         for claim in claims
         if isinstance(claim.proof, INTRODUCING)
         for e in _equations(claim)
     )
 
 
-def _equations(claim: Claim) -> Iterator[Eq]:
+def _equations(claim: Claim) -> Iterator[Relation]:
     """Yield the scalar equations of a claim as written.
 
     For a root, the equation relates the symbol to the function that vanishes at it, with a fresh
     variable in place of the bound one.
     """
     if isinstance(claim.proof, Root):
-        new, root = claim.proof.symbol, claim.proof.unique.statement
-        if isinstance(root, ExactlyOne) and root.difference is not None:
-            stand_in = Symbol(f"[{new}]", real=True)
-            yield equal(new, root.difference.xreplace({root.variable: stand_in}))
+        new, root = str(claim.proof.symbol), in_trees(claim.proof.unique.statement)
+        if isinstance(root, Count) and root.equation[1] == "==":
+            left, _, right = root.equation
+            stand_in = symbol(f"[{new}]")
+            yield Relation(symbol(new), "==", substitute(left - right, {root.name: stand_in}))
         return
-    parts = (part for part in parts_of(claim.says) if isinstance(part, Eq))
-    yield from (entry for part in parts for entry in scalars(part))
+    parts = (part for part in parts_of(in_trees(claim.says)) if is_equation(part))
+    yield from (entry for part in parts for entry in relations_of(part))
 
 
-def restrictions(claims: Iterable[Claim]) -> tuple[Eq, ...]:
+def restrictions(claims: Iterable[Claim]) -> tuple[Relation, ...]:
     """Return the assumed equations for integrals that restrict the values of their symbols.
 
     An equation whose right side is a symbol that occurs nowhere else only names the integral, so
@@ -134,7 +140,8 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
     given, entries = conditions(claim.given), table((claim,))
     if known(given).satisfying_point() is None:
         return "no exact point was found that satisfies the conditions; check the conditions"
-    if not all(isinstance(part, Eq) for part in parts_of(claim.says)):
+    says = in_trees(claim.says)
+    if not all(map(is_equation, parts_of(says))):
         return "a definition must consist of equations"
     explicit = {e.symbol: e.meaning for e in entries if e.symbol.op == "symbol"}
     integrals = [e.symbol for e in entries if e.symbol.op == "integral"]
@@ -150,24 +157,25 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
             "the equation must have exactly one solution: prove this, or name the "
             "assumption in Definition(assumes=...)"
         )
-    if integrals and not satisfiable(claim.given, parts_of(claim.says)):
+    if integrals and not satisfiable(claim.given, parts_of(says)):
         return "no point was found that satisfies the equation"
     return None
 
 
 def _no_root(claim: Claim, proof: Root) -> str | None:
     """Return why the symbol does not name the unique root, or None if it does."""
-    unique = proof.unique.statement
+    unique, new = in_trees(proof.unique.statement), str(proof.symbol)
     shown = proof.unique.expect is Verdict.PROVED and proof.unique.given == claim.given
-    if not shown or not isinstance(unique, ExactlyOne) or unique.difference is None:
+    exact = isinstance(unique, Count) and unique.how == "exactly one"
+    if not shown or not exact or unique.equation[1] != "==":
         return "no claim with the same conditions proves that there is exactly one root"
-    if claim.says != proof.says:
+    if in_trees(claim.says) != in_trees(proof.says):
         return "the statement must be the equation of the root and the interval that contains it"
-    asked = (unique.difference, unique.low, unique.high, *claim.given)
-    if any(proof.symbol in e.free_symbols for e in asked):
-        return f"{proof.symbol} is not a new symbol"
+    asked = (*unique.equation[::2], unique.low, unique.high, *map(in_trees, claim.given))
+    if new in names_of(*asked):
+        return f"{new} is not a new symbol"
     earlier = {entry.symbol for entry in table(claim.rests_on)}
-    return f"{proof.symbol} is not a new symbol" if tree(proof.symbol) in earlier else None
+    return f"{new} is not a new symbol" if symbol(new) in earlier else None
 
 
 def captured(claim: Claim) -> str | None:
@@ -177,11 +185,10 @@ def captured(claim: Claim) -> str | None:
     which its definition depends: there it denotes a number, not a function of that variable.
     """
     entries = table((*claim.rests_on, claim))
-    written = [e for e in expressions(claim) if isinstance(e, Basic)]
+    written = [in_trees(e) for e in expressions(claim)]
     bound: set[str] = set()
     for e in written:
-        binders = e.atoms(Integral, Derivative, Subs, Binding)
-        bound |= {v.name for node in binders for v in node.variables}
+        bound |= all_bound(e)
     for entry in entries:
         if entry.symbol.op == "symbol" and symbols(entry.symbol) <= bound:
             return (
@@ -189,40 +196,39 @@ def captured(claim: Claim) -> str | None:
                 "bound variable"
             )
     behind = _behind(entries)
-    roots = [root for e in written for root in e.atoms(Binding)]
-    for root in roots:
-        for symbol in sorted(root.free_symbols, key=str):
-            if root.variable.name in behind.get(symbol.name, ()):
-                return CAPTURED.format(symbol)
-    found = next((name for e in written if bound for name in _misread(e, behind)), None)
+    for counted in (part for e in written for part in _counted(e)):
+        for name in sorted(names_of(counted)):
+            if counted.name in behind.get(name, ()):
+                return CAPTURED.format(name)
+    printed = claim.says if claim.means is not None else None  # which is compared, not decided
+    decided = (side for e in written if bound and e != printed for side in sides_of(e))
+    for node in operations(decided):
+        if node.op == "at" and not _depends(node.args[0], len(node.names)):
+            return f"{node.args[0]} does not say how it depends on {node.names[0]}"
+    sides = (side for e in written if bound for side in sides_of(e))
+    found = next(filter(None, (misread(side, behind) for side in sides)), None)
     return None if found is None else CAPTURED.format(found)
 
 
-def confused(claim: Claim) -> str | None:
-    """Return why the SymPy assumptions of a symbol are not allowed, or None if they are.
-
-    Symbols are identified by name, and the only assumption that a symbol may carry is that it is
-    real. Any other assumption would be used by SymPy without standing among the conditions.
-    """
-    known: dict[str, Symbol] = {}
-    for one in (*claim.rests_on, claim):
-        for symbol in one.symbols:
-            if known.setdefault(symbol.name, symbol) != symbol:
-                return f"{one.label} contains two symbols named {symbol} with different assumptions"
-            if symbol not in (Symbol(symbol.name, real=True), Symbol(symbol.name)):
-                return (
-                    f"SymPy assumes more about {symbol} than that it is real; state such "
-                    "assumptions as conditions (given)"
-                )
-    return None
+def _depends(body: Expr, count: int, depth: int = 0) -> bool:
+    """Return whether the body of a binder contains one of its ``count`` variables."""
+    if body.op == "bound":
+        return depth <= body.args[0] < depth + count
+    if body.loose <= depth:
+        return False
+    inner = depth + len(body.names)
+    return any(_depends(e, count, depth if n else inner) for n, e in enumerate(body.args))
 
 
-def _misread(e: Basic, behind: Behind) -> Iterator[str]:
-    """Yield the symbols in ``e`` whose definitions depend on a variable that is bound there."""
-    try:
-        yield from (name for side in sides(e) if (name := misread(side, behind)) is not None)
-    except InputError:  # an expression that cannot be converted plays no part in a decision
-        return
+def _counted(says: Any) -> Iterator[Count]:
+    """Yield the parts of a statement that count solutions."""
+    if isinstance(says, Count):
+        yield says
+    elif isinstance(says, Under):
+        yield from _counted(says.formula)
+    elif isinstance(says, Together | Equivalent):
+        for part in says.parts:
+            yield from _counted(part)
 
 
 def _behind(entries: Iterable[Entry]) -> Behind:
@@ -272,7 +278,7 @@ def _where(claim: Claim) -> str:
     return f"{claim.label} ({', '.join(f'{name} {at}' for name, at in parts if at is not None)})"
 
 
-def _agree(one: Entry, two: Entry, once: tuple[Eq, ...]) -> bool:
+def _agree(one: Entry, two: Entry, once: tuple[Relation, ...]) -> bool:
     """Return whether two equations for one symbol are compatible.
 
     They are if their conditions exclude each other, or if one of them is an assumption and a point

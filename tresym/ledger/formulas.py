@@ -19,16 +19,31 @@ from functools import lru_cache
 from typing import Any, TypeAlias
 
 from tresym.reals.language import sympy as sympy_reader
-from tresym.reals.language.binders import ordered
+from tresym.reals.language.binders import ordered, outermost
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.compound import Count, Equivalent, Shape, Somewhere, Together
-from tresym.reals.language.expression import ONE, ZERO, Expr, as_expr, symbols
+from tresym.reals.language.expression import (
+    HALF,
+    LEAVES,
+    ONE,
+    PI,
+    ZERO,
+    Expr,
+    add,
+    as_expr,
+    factors_in,
+    integer,
+    multiply,
+    number,
+    power,
+    rebuild,
+    symbols,
+)
 from tresym.reals.language.formula import Relation
 from tresym.reals.language.named_claims import Conserved, Equilibrium, Extremum
 from tresym.reals.language.paths import Path
 from tresym.reals.numbers.exact import InputError
 
-SIDES = {1: (1,), -1: (-1,), 0: (1, -1)}
 FALSE = Relation(ZERO, "==", ONE)
 """A statement that holds nowhere."""
 
@@ -84,6 +99,10 @@ class EqualMatrices:
     left: tuple[tuple[Expr, ...], ...]
     right: tuple[tuple[Expr, ...], ...]
 
+    def __post_init__(self) -> None:
+        if [*map(len, self.left)] != [*map(len, self.right)]:
+            raise InputError("matrices of different sizes are not equal")
+
     @property
     def entries(self) -> tuple[Relation, ...]:
         """The equations of the entries, row by row."""
@@ -115,6 +134,98 @@ Says: TypeAlias = (
 )
 
 
+def in_order(e: Expr) -> Expr:
+    """Return an expression in the form in which the ledger compares expressions.
+
+    Terms and factors stand in one order, a number is multiplied into a sum, reciprocals of
+    products and of roots are written as products and powers, sine and cosine of an arctangent, a
+    right angle from it too, are roots, and those of right angles numbers. The form is defined where
+    the expression is.
+
+    Example:
+        >>> from tresym.reals.language.parsing import parse
+        >>> in_order(parse("2*(y + x)")) == in_order(parse("2*x + 2*y"))
+        True
+        >>> in_order(parse("1/(a*sqrt(b))")) == in_order(parse("b**(-1/2)/a"))
+        True
+    """
+    return ordered(_multiplied(e), _place)
+
+
+def _place(op: str, e: Expr) -> tuple[bool, int]:
+    """The place of a term or a factor: 4*a - b, 1 - x, a*sqrt(b)*sin(x)."""
+    negative = e.op == "number" and e.args[0] < 0
+    negative = negative or (e.op == "*" and e.args[0].op == "number" and e.args[0].args[0] < 0)
+    kinds = {"number": 0 if op == "*" else 3, "pi": 1, "symbol": 1, "*": 2, "^": 2, "+": 4}
+    return op == "+" and negative, kinds.get(e.op, 3 if op == "*" else 2)
+
+
+def _multiplied(e: Expr) -> Expr:
+    if e.op in LEAVES:
+        return e
+    args = tuple(map(_multiplied, e.args))
+    if e.op == "^" and (n := integer(args[1])) is not None:
+        base, exponent = args
+        if base.op == "*" and n != 0:
+            return multiply(*(_multiplied(power(f, exponent)) for f in base.args))
+        if base.op == "^" and base.args[1].op == "number":
+            inner, r = base.args[0], base.args[1].args[0]
+            if r.q > 1 and ((r * n).q > 1 if n < 0 else _is_positive(inner)):
+                return power(inner, number(r * n))
+    if e.op == "*" and len(args) == 2:
+        factor, total = args
+        if factor.op == "number" and factor != ZERO and total.op == "+":
+            return add(*(multiply(factor, term) for term in total.args))
+    if e.op in ("sin", "cos"):
+        turns = _right_angles(args[0])
+        if turns is not None:
+            return number((0, 1, 0, -1)[(turns + (e.op == "cos")) % 4])
+        if (root := _of_arctangent(e.op, args[0])) is not None:
+            return root
+    return rebuild(e, args)
+
+
+def _right_angles(angle: Expr) -> int | None:
+    """Return how many right angles an angle is; None if it is not a whole number of them."""
+    if angle == ZERO:
+        return 0
+    share = ONE if angle == PI else angle.args[0] if angle.op == "*" else ZERO
+    if angle != PI and (share.op != "number" or angle != share * PI or share == ZERO):
+        return None
+    return integer(2 * share)
+
+
+def _is_positive(e: Expr) -> bool:
+    """Return whether an expression is one plus a square."""
+    return (
+        e.op == "+"
+        and len(e.args) == 2
+        and ONE in e.args
+        and all(term == ONE or _is_square(term) for term in e.args)
+    )
+
+
+def _is_square(e: Expr) -> bool:
+    return all(
+        f.op == "^" and (n := integer(f.args[1])) is not None and n % 2 == 0 for f in factors_in(e)
+    )
+
+
+def _of_arctangent(op: str, angle: Expr) -> Expr | None:
+    """Return sine or cosine of atan(w), or of pi/2 - atan(w), as a root; None of other angles."""
+    terms = angle.args if angle.op == "+" else (angle,)
+    rest = [term for term in terms if term != HALF * PI]
+    if len(terms) > 2 or len(rest) != 1:
+        return None
+    turned = len(terms) == 2
+    arc = -rest[0] if turned else rest[0]
+    if arc.op != "atan":
+        return None
+    w = arc.args[0]
+    cosine = power(_multiplied(1 + w**2), -HALF)
+    return cosine if (op == "cos") != turned else w * cosine
+
+
 def parts_of(says: Says) -> tuple[Any, ...]:
     """Return the parts of a conjunction, or the statement itself."""
     return says.parts if isinstance(says, Together) else (says,)
@@ -123,7 +234,7 @@ def parts_of(says: Says) -> tuple[Any, ...]:
 def together(parts: Iterable[Says]) -> Says:
     """Return one statement for several, or the only one."""
     found = tuple(parts)
-    return found[0] if len(found) == 1 else Together(found)  # type: ignore[arg-type]
+    return found[0] if len(found) == 1 else Together(found)
 
 
 def is_equation(says: Any) -> bool:
@@ -199,6 +310,18 @@ def bound_names(says: Any) -> frozenset[str]:
     return frozenset((says.name,)) if isinstance(says, Count) else frozenset()
 
 
+def binders_in(*sides: Expr) -> Iterator[Expr]:
+    """Yield the nodes that bind a variable, also those inside of others."""
+    for node in outermost(*sides):
+        yield node
+        yield from binders_in(*node.args)
+
+
+def all_bound(says: Any) -> frozenset[str]:
+    """Return all variables that are bound in a statement, or in an expression of it."""
+    return bound_names(says).union(*(node.names for node in binders_in(*sides_of(says))))
+
+
 def names_of(*says: Any) -> frozenset[str]:
     """Return the names of the free variables in statements, conditions or expressions."""
     return frozenset().union(*map(_names, says))
@@ -220,7 +343,9 @@ def _names(says: Any) -> frozenset[str]:
     elif isinstance(says, Conserved | Equilibrium):
         own = says.names
     elif isinstance(says, Tending):
-        own = (*says.path.together, *filter(None, (says.path.name,)))
+        return names_of(says.relation, says.path)
+    elif isinstance(says, Path):
+        own = (*says.together, *filter(None, (says.name,)))
     return frozenset(own).union(*(symbols(e) for e in sides_of(says))) - {"oo"}
 
 
@@ -240,7 +365,6 @@ def together_under(parts: Iterable[tuple[Says, tuple[Condition, ...]]]) -> Toget
 # From SymPy
 
 
-@lru_cache(maxsize=4096)
 def in_trees(says: Any) -> Any:
     """Return a statement of SymPy, or an expression, as trees; trees are returned as they are.
 
@@ -249,12 +373,14 @@ def in_trees(says: Any) -> Any:
     """
     if isinstance(says, int):
         return as_expr(says)
-    if not hasattr(says, "free_symbols"):  # it is none of SymPy's
-        return says
+    return _from_sympy(says) if hasattr(says, "free_symbols") else says
+
+
+@lru_cache(maxsize=4096)
+def _from_sympy(says: Any) -> Any:
+    if hasattr(says, "as_tree"):
+        return says.as_tree()
     kind = type(says).__name__
-    known = _STATEMENTS.get(kind)
-    if known is not None:
-        return known(says)
     if kind in ("Tuple", "And"):
         return Together(tuple(map(in_trees, says.args)))
     if kind in ("Infinity", "NegativeInfinity"):
@@ -271,87 +397,18 @@ def in_trees(says: Any) -> Any:
                 *(tuple(tuple(map(in_trees, row)) for row in m.tolist()) for m in says.args)
             )
         return Relation(in_trees(says.lhs), sympy_reader.RELATIONS[kind], in_trees(says.rhs))
-    return ordered(sympy_reader.unworked(says, any_value=True))
+    _need_no_assumptions(says)
+    return in_order(sympy_reader.unworked(says, any_value=True))
 
 
-def _count(how: str) -> Callable[[Any], Count]:
-    def made(says: Any) -> Count:
-        x, low, high, inner = says.args
-        return Count(
-            how, x.name, in_trees(low), in_trees(high), (False, False), in_trees(inner), ()
-        )
+def _need_no_assumptions(e: Any) -> None:
+    """Refuse symbols of which SymPy knows more than that they are real.
 
-    return made
-
-
-def _shape(how: str) -> Callable[[Any], Shape]:
-    return lambda says: Shape(how, in_trees(says.args[0]), str(says.args[1]), ())
-
-
-def _equilibrium(how: str) -> Callable[[Any], Equilibrium]:
-    def made(says: Any) -> Equilibrium:
-        names, rates, point = says.args
-        return Equilibrium(
-            how,
-            tuple(map(str, names.args)),
-            tuple(map(in_trees, point.args)),
-            tuple(map(in_trees, rates.args)),
-            None,
-            (),
-        )
-
-    return made
-
-
-def _tending(says: Any) -> Tending:
-    inner, what, point, side = says.args
-    return Tending(in_trees(inner), path_to(_several(what), _several(point), int(side)))
-
-
-def _several(e: Any) -> Any:
-    return tuple(map(in_trees, e.args)) if type(e).__name__ == "Tuple" else in_trees(e)
-
-
-def path_to(what: Any, point: Any, side: int = 1) -> Path:
-    """Return the path of an expression, or of several variables, that tends to a point.
-
-    Raises:
-        InputError: several variables do not tend from all sides, or an expression not to oo.
+    It would use what it knows without anybody saying so among the conditions.
     """
-    if isinstance(what, tuple):
-        if side != 0:
-            raise InputError("several variables tend to a point from all sides")
-        names = tuple(str(x) for x in what)
-        return Path("", ZERO, (1,), together=names, points=point)
-    if what.op == "symbol":
-        name = str(what.args[0])
-        if point in (INFINITY, -INFINITY):
-            return Path(name, None, (1 if point == INFINITY else -1,))
-        return Path(name, point, SIDES[side])
-    if point != INFINITY:
-        raise InputError("an expression is supported that tends to oo")
-    return Path("", None, (1,), expression=what)
-
-
-_STATEMENTS: dict[str, Callable[[Any], Any]] = {
-    "ExactlyOne": _count("exactly one"),
-    "AtMostOne": _count("at most one"),
-    "StrictlyIncreasing": _shape("increasing"),
-    "StrictlyDecreasing": _shape("decreasing"),
-    "StableEquilibrium": _equilibrium("stable"),
-    "UnstableEquilibrium": _equilibrium("unstable"),
-    "Infimum": lambda says: Extremum(
-        "infimum", in_trees(says.args[0]), (), in_trees(says.args[1]), ()
-    ),
-    "Conserved": lambda says: Conserved(
-        in_trees(says.args[0]),
-        tuple(map(str, says.args[1].args)),
-        tuple(map(in_trees, says.args[2].args)),
-        (),
-    ),
-    "ForSome": lambda says: Somewhere(parts_of(in_trees(says.args[0])), ()),
-    "Under": lambda says: Under(in_trees(says.args[0]), tuple(map(in_trees, says.args[1].args))),
-    "As": _tending,
-    "Rounds": lambda says: Rounded(in_trees(says.term), says.text, says.half_units),
-}
-"""How the statements that are written in SymPy become trees."""
+    for s in e.atoms(type(e)) if e.is_Symbol else sympy_reader.atoms(e, "Symbol"):
+        if s not in (type(s)(s.name), type(s)(s.name, real=True)):
+            raise InputError(
+                f"SymPy assumes more about {s} than that it is real; state such assumptions as "
+                "conditions (given)"
+            )

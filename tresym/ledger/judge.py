@@ -18,9 +18,6 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from sympy import Basic, Derivative, Eq, Integral, Subs, Symbol
-from sympy.core.relational import Relational
-
 from tresym.ledger.claim import (
     AllOf,
     Claim,
@@ -40,7 +37,6 @@ from tresym.ledger.claim import (
     RootBound,
     RootMonotone,
     asked_by,
-    parts_of,
 )
 from tresym.ledger.conversion import (
     CircularError,
@@ -49,10 +45,10 @@ from tresym.ledger.conversion import (
     defined,
     dependencies,
     dependent,
-    formula,
+    known,
 )
 from tresym.ledger.counterexamples import contradiction
-from tresym.ledger.definitions import captured, conflict, confused, judge_definition, table
+from tresym.ledger.definitions import captured, conflict, judge_definition, table
 from tresym.ledger.evidence.allowed_evidence import unfit
 from tresym.ledger.evidence.asymptotics import Asymptotics, failing_order
 from tresym.ledger.evidence.box_bounds import Boxes
@@ -76,6 +72,17 @@ from tresym.ledger.evidence.printed_numbers import judge_printed
 from tresym.ledger.evidence.refutation import Denied, denied_somewhere, judge_counterexample
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
 from tresym.ledger.finding import WEAKEST_FIRST, Finding, StepFinding
+from tresym.ledger.formulas import (
+    Says,
+    Tending,
+    Under,
+    binders_in,
+    is_equation,
+    names_of,
+    parts_of,
+    relations_of,
+    sides_of,
+)
 from tresym.ledger.judged_roots import judge_at_most_one, judge_implicit_function
 from tresym.ledger.reasons import citing
 from tresym.ledger.refutations import (
@@ -87,11 +94,12 @@ from tresym.ledger.refutations import (
     need_possible,
     refuted_part,
 )
-from tresym.ledger.statements import As, Binding, Under
 from tresym.reals.balls.branch_and_bound import CertificateError
 from tresym.reals.cross_check import STOPPED
-from tresym.reals.language.expression import Expr
-from tresym.reals.language.formula import relations
+from tresym.reals.decisions.identity import decide_continuous
+from tresym.reals.language.binders import generalised
+from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -142,8 +150,6 @@ def judge_evidence(claim: Claim) -> Finding | None:
 def _guarded(claim: Claim, found: Findings) -> Finding:
     """Judge the evidence and cross-check the result; errors in the input give UNDECIDED."""
     try:
-        if claim.first is not None:
-            claim.first()
         return _attacked(claim, _judge(claim, found))
     except (CircularError, InputError) as error:
         return Finding(UNDECIDED, str(error))
@@ -157,12 +163,12 @@ def _attacked(claim: Claim, finding: Finding) -> Finding:
     if not finding.verdict.holds or isinstance(claim.proof, NEVER_ATTACKED):
         return finding
     says = claim.statement
-    if isinstance(says, As):  # no single point contradicts it; the engine has attacked it already
+    if isinstance(says, Tending):  # no single point contradicts it, and the engine attacked it
         return finding
     if says is None or not _can_be_evaluated(says, claim):
         return finding
     try:
-        values = tuple(c for c in claim.given if isinstance(c, Eq))
+        values = tuple(c for c in claim.given if is_equation(c))
         given = tuple(c for c in claim.given if c not in values)
         worlds = _worlds(claim, says)
         tried = (contradiction(says, given, (*taken, *values)) for taken in worlds)
@@ -174,29 +180,29 @@ def _attacked(claim: Claim, finding: Finding) -> Finding:
     return replace(finding, verdict=UNDECIDED, why=STOPPED.format(against), stopped=True)
 
 
-def _worlds(claim: Claim, says: Basic) -> tuple[tuple[Basic, ...], ...]:
+def _worlds(claim: Claim, says: Says) -> tuple[tuple[Any, ...], ...]:
     """Return the sets of equations that the independent check assumes, one attempt for each.
 
     If no symbol of the statement is defined anywhere, only the conditions are assumed. Otherwise
     the claims used are assumed first, and then only the definitions behind them, because a used
     claim may itself be wrong.
     """
-    spoken_of = {str(s) for e in (says, *claim.given) for s in e.free_symbols}
+    spoken_of = names_of(says, *claim.given)
     if all(spoken_of.isdisjoint(entry.names) for entry in table(claim.rests_on)):
         return ((),)
     return tuple(dict.fromkeys((facts_used(claim), all_facts_behind(claim))))
 
 
-def _can_be_evaluated(says: Basic, claim: Claim) -> bool:
+def _can_be_evaluated(says: Says, claim: Claim) -> bool:
     """Return whether every symbol may take all values that the conditions allow.
 
     In claims shown on boxes, a symbol may stand for a quantity without a definition, such as a
     term of higher order; such a claim can only be checked if its conditions name the symbol.
     """
-    known = frozenset().union(*(condition.free_symbols for condition in claim.given))
+    known = names_of(*claim.given)
     shown = Instance | RootBound | FromSlope | FromTheEdge | Decided
     attacked = isinstance(claim.proof, shown)
-    return attacked or says.free_symbols <= known
+    return attacked or names_of(says) <= known
 
 
 def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
@@ -211,7 +217,7 @@ def _resting_on_sand(claim: Claim, found: Findings) -> Finding | None:
         if found[used.label].of not in (None, used):
             return Finding(UNDECIDED, f"another claim labelled {used.label} was judged")
     try:
-        why = confused(claim) or captured(claim) or conflict((*claim.rests_on, claim))
+        why = captured(claim) or conflict((*claim.rests_on, claim))
     except InputError as error:
         why = str(error)
     if why is not None:
@@ -231,7 +237,7 @@ def _judge(claim: Claim, found: Findings) -> Finding:
         why = unfit(claim)
         need(why is None, f"{why}")
         finding = _judge_with_facts(claim, found) if claim.knowing else _by_kind(claim, found)
-        slope = isinstance(claim.says, Basic) and isinstance(claim.means, Eq)
+        slope = not isinstance(claim.says, str) and is_equation(claim.means)
         need(
             not (slope and finding.verdict.holds),
             "the formula only confirms a derivative, which does not prove the stated order",
@@ -254,7 +260,7 @@ def _by_kind(claim: Claim, found: Findings) -> Finding:
                 false = next(c for c in claims if found[c.label].verdict is REFUTED)
                 if not _contains(claim, false):
                     return Finding(UNDECIDED, f"{false.label}, which it names, is refuted")
-            if finding.verdict.holds and isinstance(claim.says, Basic):
+            if finding.verdict.holds and not isinstance(claim.says, str):
                 cited(claim, claims)
             return finding
         case Follows():
@@ -353,14 +359,15 @@ def _judge_parts(claim: Claim, proof: Follows) -> Finding:
     Raises:
         NotShownError: a part is not shown, or there is not one piece of evidence for each part.
     """
-    parts = claim.parts
+    parts: tuple[Any, ...] = claim.parts
     if len(parts) != len(proof.parts) or not parts:
         raise NotShownError("there must be one piece of evidence for each part of the statement")
     findings = []
     for n, (part, evidence) in enumerate(zip(parts, proof.parts, strict=True), 1):
         given = claim.given
         while isinstance(part, Under):
-            part, given = part.args[0], (*given, *part.args[1].args)
+            given = (*given, *part.given)
+            part = part.formula
         alone = Claim(f"{claim.label}, part {n}", part, evidence, given=given)
         if isinstance(evidence, AllOf):
             need(cited(alone, evidence.claims) is not None, f"part {n} has no formula")
@@ -400,38 +407,54 @@ def _judge_instance(claim: Claim, proof: Instance) -> Finding:
     every condition of the general claim.
     """
     general = proof.claim
-    parts = parts_of(general.says) if isinstance(general.says, Basic) else ()
+    parts = () if isinstance(general.says, str) else parts_of(general.says)
     written = (*parts, *general.given)
-    plain = (
-        bool(parts) and general.means is None and all(isinstance(e, Relational) for e in written)
-    )
+    plain = bool(parts) and general.means is None and all(isinstance(e, Relation) for e in written)
     need(plain, f"{general.label} has no instances, because it does not consist of relations")
-    variables = all(isinstance(x, Symbol) for x, _ in proof.values)
-    need(variables, "an instance may only replace variables, not expressions")
-    bound = any(e.atoms(Integral, Derivative, Subs, Binding) for e in written)
-    bound = bound or any(x.name in defined(general) for x, _ in proof.values)
+    names = {name for name, _ in proof.values}
+    finite = all("oo" not in symbols(e) for _, e in proof.values)
+    need(finite, "an instance gives numbers to variables, and oo is none")
+    need(all(map(str.isidentifier, names)), "an instance may only replace variables")
+    bound = any(binders_in(*sides_of(written)))
+    bound = bound or bool(names & defined(general))
     need(not bound, "an instance must not replace a symbol that is bound or defined")
-    _need_independent(general, written, {x.name for x, _ in proof.values})
-    need(
-        claim.says == proof.says,
-        f"the statement is not {general.label} with these values substituted",
-    )
+    _need_independent(general, written, names)
     need_possible(claim)
     given = with_bounds(conditions(claim.given), (citing(*proof.cited),))
+    same = _is_instance(parts_of(claim.says), parts_of(proof.says), given)
+    need(same, f"the statement is not {general.label} with these values substituted")
     for condition in conditions(tuple(map(proof.put, general.given))):
         met = condition in given or is_manifest(condition, given)
         need(met, f"the instance needs {condition}, which could not be shown")
-    says = relations(formula(claim.says))
-    _need_values([side for part in says for side in (part.left, part.right)], given)
+    both = (*relations_of(claim.says), *relations_of(proof.says))
+    _need_values([side for part in both for side in (part.left, part.right)], given)
     return Finding(PROVED, f"it is an instance of {general.label}")
 
 
-def _need_independent(claim: Claim, written: Iterable[Basic], names: Iterable[str]) -> None:
+def _is_instance(says: tuple[Any, ...], put: tuple[Any, ...], given: Conditions) -> bool:
+    """Return whether relations are those of another list, with sides that are equal."""
+    if says == put:
+        return True
+    return len(says) == len(put) and all(
+        isinstance(one, Relation)
+        and one.sign == other.sign
+        and _is_equal(one.left, other.left, given)
+        and _is_equal(one.right, other.right, given)
+        for one, other in zip(says, put, strict=True)
+    )
+
+
+def _is_equal(one: Expr, other: Expr, given: Conditions) -> bool:
+    left, right = generalised(one, other)
+    return one == other or decide_continuous(left, right, known(given)).verdict is PROVED
+
+
+def _need_independent(claim: Claim, written: Iterable[Any], names: Iterable[str]) -> None:
     """Require that no symbol in ``written`` is defined in terms of the symbols ``names``.
 
     If y is defined as x², then replacing x alone would leave y unchanged and prove a falsehood.
     """
-    spoken_of = {s.name for e in written for s in e.free_symbols if isinstance(s, Symbol)}
+    spoken_of = names_of(*written)
     name = dependent(spoken_of, names, dependencies((*claim.rests_on, claim)))
     need(
         name is None,

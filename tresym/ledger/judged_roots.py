@@ -4,33 +4,31 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sympy import Basic, Derivative, Eq, Gt, Lt, Subs
-
 from tresym.checking.dispatch import decide_claim
-from tresym.ledger.claim import Claim, ImplicitFunction, Monotone, equal
-from tresym.ledger.conversion import Conditions, conditions, definitions, formula, tree
+from tresym.ledger.claim import Claim, ImplicitFunction, Monotone
+from tresym.ledger.conversion import Conditions, conditions, definitions
 from tresym.ledger.evidence.decided import Decided, judge_decided
 from tresym.ledger.evidence.integrals import NotShownError, need, need_smooth, under_binder
 from tresym.ledger.evidence.premises import unmet_condition
 from tresym.ledger.evidence.satisfiability import satisfiable
 from tresym.ledger.evidence.sign_prover import manifest_sign, undefined
 from tresym.ledger.finding import Finding, StepFinding
+from tresym.ledger.formulas import names_of
 from tresym.ledger.refutations import PROVED, UNDECIDED, need_possible, refute
-from tresym.ledger.statements import AtMostOne, ExactlyOne
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import stated
 from tresym.reals.decisions.root_values import by_leibniz
 from tresym.reals.language.binders import derivative, worked_out
+from tresym.reals.language.compound import Count
 from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.expression import ZERO, Expr, substitute, symbols
+from tresym.reals.language.expression import ZERO, Expr, substitute, symbol, symbols
 from tresym.reals.language.formula import Compared, Relation
-from tresym.reals.language.to_sympy import to_sympy
 
 
-def _need_bound(claim: Claim, says: ExactlyOne | AtMostOne) -> None:
+def _need_bound(claim: Claim, says: Count) -> None:
     """Require that the ends do not depend on the bound variable and the conditions are possible."""
-    x = says.variable
-    free = x not in says.low.free_symbols | says.high.free_symbols
+    x = says.name
+    free = x not in symbols(says.low) | symbols(says.high)
     need(free, f"the ends of the interval must not depend on the bound variable {x}")
     need_possible(claim)
 
@@ -38,23 +36,25 @@ def _need_bound(claim: Claim, says: ExactlyOne | AtMostOne) -> None:
 def judge_at_most_one(claim: Claim, proof: Monotone) -> Finding:
     """Return PROVED if left minus right side is smooth and increasing between the ends."""
     says = claim.statement
-    if not isinstance(says, AtMostOne) or says.difference is None:
+    counted = isinstance(says, Count) and says.how == "at most one"
+    if not isinstance(says, Count) or not counted or says.equation[1] != "==":
         raise NotShownError(
             "this evidence proves that an equation has at most one root, but the claim states "
             "something else"
         )
     _need_bound(claim, says)
-    v, low, high, difference = map(tree, (*says.args[:3], says.difference))
-    name = says.variable.name
+    name, difference = says.name, says.equation[0] - says.equation[2]
     given = without(name, conditions(claim.given))
-    inside = (*given, Relation(v, ">", low), Relation(v, "<", high))
+    ends = (
+        Relation(symbol(name), ">", says.low),
+        Relation(symbol(name), "<", says.high),
+    )
+    inside = (*given, *ends)
     need_smooth(difference, inside)
     slope = differentiate(difference, name)
     need(isinstance(proof.slope, Decided), "the sign of the derivative is what the engine decides")
-    x = says.variable
-    plain = tuple(c for c in claim.given if x not in c.free_symbols)
-    ends = Gt(x, says.low, evaluate=False), Lt(x, says.high, evaluate=False)
-    rising = Gt(to_sympy(slope), 0, evaluate=False)
+    rising = Relation(slope, ">", ZERO)
+    plain = tuple(c for c in claim.given if name not in names_of(c))
     asked = replace(
         claim, says=rising, means=None, given=(*plain, *ends), proof=proof.slope, knowing=()
     )
@@ -72,13 +72,11 @@ def without(name: str, given: Conditions) -> Conditions:
 def judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
     """Return PROVED if the implicit function theorem applies and gives the stated derivative."""
     needs_equations = "implicit differentiation needs an equation and states an equation"
-    if not (isinstance(proof.equation.decided, Eq) and isinstance(claim.says, Eq)):
-        raise NotShownError(needs_equations)
-    equation, says = formula(proof.equation.decided), formula(claim.says)
+    equation, says = proof.equation.decided, claim.says
     if not isinstance(equation, Relation) or not isinstance(says, Relation):
         raise NotShownError(needs_equations)
     need(equation.sign == says.sign == "==", needs_equations)
-    u, p, at = proof.unknown.name, proof.parameter.name, tree(proof.at)
+    u, p, at = proof.unknown, proof.parameter, proof.at
     left, right = equation.left, equation.right
     fixed = u != p and not {u, p} & (symbols(right) | symbols(at))
     need(fixed, "the right side of the equation must not depend on the unknown or on the parameter")
@@ -93,7 +91,7 @@ def judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
         other = Finding(UNDECIDED, why)
         return _refuted_slope(claim, proof) or other
     need_possible(claim)
-    place = tree(proof.parameter)
+    place = symbol(p)
     near = (*outside, Relation(place, ">=", at), Relation(place, "<=", at))
     unmet = unmet_condition(proof.equation, {}, near)
     need(unmet is None, f"the equation holds only under {unmet}, which could not be shown")
@@ -102,8 +100,8 @@ def judge_implicit_function(claim: Claim, proof: ImplicitFunction) -> Finding:
         steps: tuple[StepFinding, ...] = ()
     else:
         steps = _apart_from_zero(by_unknown, outside)
-    written = tuple(c for c in claim.given if proof.parameter not in c.free_symbols)
-    on_curve = (proof.equation.decided.xreplace({proof.parameter: proof.at}),)
+    written = tuple(c for c in claim.given if p not in names_of(c))
+    on_curve = (Relation(substitute(left, {p: at}), "==", right),)
     need(satisfiable(written, on_curve), "no point was found that satisfies the equation", steps)
     why = f"the equation is smooth and its derivative with respect to {u} is not zero"
     return Finding(PROVED, why, steps=steps)
@@ -133,9 +131,10 @@ def _asked(link: Compared, given: Conditions) -> Answer:
 def _refuted_slope(claim: Claim, proof: ImplicitFunction) -> Finding | None:
     """Return REFUTED with a point of the curve where the stated derivative is wrong, or None."""
     says, equation = claim.says, proof.equation.decided
-    assert isinstance(says, Basic)
-    assert isinstance(equation, Basic)
-    left, p = equation.args[0], proof.parameter
-    by_unknown = Derivative(left.xreplace({p: proof.at}), proof.unknown)
-    slope = -Subs(Derivative(left, p), p, proof.at) / by_unknown
-    return refute(equal(says.args[1], slope), replace(claim, proof=Decided((proof.equation,))))
+    assert isinstance(says, Relation)
+    assert isinstance(equation, Relation)
+    p = proof.parameter
+    by_unknown = derivative(substitute(equation.left, {p: proof.at}), proof.unknown)
+    slope = -derivative(equation.left, p, proof.at) / by_unknown
+    by_equation = Decided((proof.equation,))
+    return refute(Relation(says.right, "==", slope), replace(claim, proof=by_equation))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Expr
+from typing import Any
 
 from tresym.ledger.claim import Claim, Reason
 
@@ -14,9 +14,9 @@ trigonometry = Reason("trigonometry", frozenset({"trigonometry"}))
 exponentials = Reason("exponentials", frozenset({"exponentials"}))
 inverses = Reason("inverse functions", frozenset({"inverses"}))
 differentiation = Reason("differentiation")
-"""Carries out derivatives (`sympy.Derivative`), which otherwise count as variables."""
+"""Carries out derivatives, which otherwise count as variables."""
 evaluating = Reason("evaluating")
-"""Carries out substitutions (`sympy.Subs`, see `at`), which otherwise count as variables."""
+"""Carries out values at a point, which otherwise count as variables."""
 
 
 def substituting(*claims: Claim) -> Reason:
@@ -37,17 +37,17 @@ def applying(function: str) -> Reason:
     return Reason("applying", function=function)
 
 
-def multiplying(factor: Expr) -> Reason:
+def multiplying(factor: Any) -> Reason:
     """Multiply both sides of an equation by a factor that is proved not to be zero."""
     return Reason("multiplying", factor=factor)
 
 
-def adding(term: Expr) -> Reason:
+def adding(term: Any) -> Reason:
     """Add a term to both sides of an equation."""
     return Reason("adding", term=term)
 
 
-def changing_variable(new: Expr, *bounds: Claim) -> Reason:
+def changing_variable(new: Any, *bounds: Claim) -> Reason:
     """Change the variable of an integral to ``new``, an expression in the old variable.
 
     Args:
@@ -57,12 +57,12 @@ def changing_variable(new: Expr, *bounds: Claim) -> Reason:
     return Reason("changing the variable", expression=new, claims=bounds)
 
 
-def integrating(antiderivative: Expr, *bounds: Claim) -> Reason:
+def integrating(antiderivative: Any, *bounds: Claim) -> Reason:
     """Evaluate an integral by an antiderivative; its derivative and continuity are checked."""
     return Reason("integrating", expression=antiderivative, claims=bounds)
 
 
-def cutting(at: Expr, *bounds: Claim) -> Reason:
+def cutting(at: Any, *bounds: Claim) -> Reason:
     """Split an integral at a point of its interval; the integrand must be continuous."""
     return Reason("cutting", expression=at, claims=bounds)
 
@@ -72,7 +72,7 @@ def collecting(*bounds: Claim) -> Reason:
     return Reason("collecting", claims=bounds)
 
 
-def differentiating_integral(slope: Expr, *bounds: Claim) -> Reason:
+def differentiating_integral(slope: Any, *bounds: Claim) -> Reason:
     """Differentiate an integral with respect to a parameter or to one of its ends (Leibniz's rule).
 
     That ``slope`` is correct and that the integrand is smooth on the closed interval is checked.

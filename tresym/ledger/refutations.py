@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Basic
-from sympy.core.relational import Relational
+from typing import Any
 
 from tresym.ledger.claim import (
     Claim,
@@ -13,7 +12,6 @@ from tresym.ledger.claim import (
     ImplicitFunction,
     InfimumBy,
     Root,
-    parts_of,
 )
 from tresym.ledger.conversion import CircularError, conditions, known, put_into
 from tresym.ledger.counterexamples import violation
@@ -23,8 +21,10 @@ from tresym.ledger.evidence.integrals import need, with_bounds
 from tresym.ledger.evidence.refutation import denied_somewhere
 from tresym.ledger.evidence.satisfiability import satisfiable
 from tresym.ledger.finding import Finding, StepFinding
+from tresym.ledger.formulas import EqualMatrices, Says, in_trees, parts_of
 from tresym.ledger.reasons import citing
 from tresym.reals.language.binders import elementary
+from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
@@ -65,7 +65,7 @@ def _possible(claim: Claim) -> bool:
     return not assumed or satisfiable(claim.given, (*written, *assumed))
 
 
-def refute(says: Basic, claim: Claim) -> Finding | None:
+def refute(says: Says, claim: Claim) -> Finding | None:
     """Return REFUTED with a point that violates ``says``, or None if no such point is found.
 
     The point satisfies the conditions of ``claim`` and the equations of the claims it uses; ball
@@ -93,7 +93,7 @@ def refuted_part(claim: Claim) -> Finding | None:
     return next((finding for finding in found if finding is not None), None)
 
 
-def all_facts_behind(claim: Claim) -> tuple[Basic, ...]:
+def all_facts_behind(claim: Claim) -> tuple[Any, ...]:
     """Return the equations and conditions of all definitions that the claim depends on.
 
     If the claim uses definitions only, or if two different claims have the same label, this is the
@@ -107,12 +107,12 @@ def all_facts_behind(claim: Claim) -> tuple[Basic, ...]:
     used = {c.label: c for c in claim.rests_on if isinstance(c.proof, defining)}
     if not elsewhere and any(used.get(c.label, c) is not c for c in claim.rests_on):
         return facts_used(claim)
-    known = dict.fromkeys(c for d in (*used.values(), *uses) for c in d.given)
-    known.update((p, None) for d in used.values() for p in parts_of(d.says))
+    known = dict.fromkeys(c for d in (*used.values(), *uses) for c in map(in_trees, d.given))
+    known.update((p, None) for d in used.values() for p in parts_of(in_trees(d.says)))
     return tuple(known)
 
 
-def facts_used(claim: Claim) -> tuple[Basic, ...]:
+def facts_used(claim: Claim) -> tuple[Any, ...]:
     """Return the statements and conditions of the used claims that concern defined symbols.
 
     A used claim without any definition behind it is left out: it holds for all values that satisfy
@@ -121,9 +121,14 @@ def facts_used(claim: Claim) -> tuple[Basic, ...]:
     """
     if isinstance(claim.proof, ELSEWHERE):
         return all_facts_behind(claim)
-    known: dict[Basic, None] = {}
+    known: dict[Any, None] = {}
     for used in claim.uses:
         if table((used, *used.rests_on)):
-            known.update(dict.fromkeys(used.given))
-            known.update((p, None) for p in parts_of(used.decided) if isinstance(p, Relational))
+            known.update(dict.fromkeys(map(in_trees, used.given)))
+            known.update((p, None) for p in _relations(used.decided))
     return tuple(known)
+
+
+def _relations(says: Any) -> list[Any]:
+    """Return the parts of a statement that compare numbers or matrices."""
+    return [p for p in parts_of(in_trees(says)) if isinstance(p, Relation | EqualMatrices)]

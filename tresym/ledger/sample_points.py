@@ -6,23 +6,25 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice, pairwise
-from typing import Any
 
 from flint import arb, fmpq
-from sympy import Basic, Derivative, Integral, Subs, Symbol, false
 
-from tresym.ledger.ball_evaluation import At, value
+from tresym.ledger import ball_evaluation
 from tresym.ledger.conversion import CircularError
+from tresym.ledger.formulas import FALSE, binders_in, names_of
 from tresym.reals import cross_check
 from tresym.reals.computed_once import Kept
 from tresym.reals.domain.conditions import Given
 from tresym.reals.domain.sample_points import Range
+from tresym.reals.language.binders import elementary
+from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision, side
 from tresym.reals.numbers.exact import Interval
 
-Conditions = tuple[Basic, ...]
-Place = Mapping[Symbol, Interval]
-"""Exact values (intervals of width 0) or tiny segments, by symbol."""
+Conditions = tuple[Relation, ...]
+Place = Mapping[str, Interval]
+"""Exact values (intervals of width 0) or tiny segments, by the names of symbols."""
 
 BITS, ROUGH = 128, 64
 POINTS = 40
@@ -51,11 +53,11 @@ class World:
     """
 
     conditions: Conditions
-    rules: tuple[tuple[Symbol, Basic], ...]
-    implicit: tuple[Basic, ...]
+    rules: tuple[tuple[str, Expr], ...]
+    implicit: tuple[Expr, ...]
     large: Conditions = ()
 
-    def names(self, *sides: Basic) -> frozenset[Symbol]:
+    def names(self, *sides: Expr) -> frozenset[str]:
         """Return the free variables (not the defined symbols) on which ``sides`` depend.
 
         Raises:
@@ -65,37 +67,33 @@ class World:
         need_unbound(sides, rules)
         return reached(names_of(*sides), rules).difference(rules)
 
-    def at(self, place: Place) -> At:
+    def at(self, place: Place) -> ball_evaluation.Place:
         """Return the point of evaluation that corresponds to ``place``."""
-        return At({s: i.ball() for s, i in place.items()}, rules=dict(self.rules))
+        values = {name: where.ball() for name, where in place.items()}
+        return ball_evaluation.Place(values, dict(self.rules))
 
-    def values(self, sides: Iterable[Basic], place: Place) -> tuple[Any, ...]:
+    def values(self, sides: Iterable[Expr], place: Place) -> tuple[arb, ...]:
         """Return a ball for each of ``sides`` at ``place``."""
         here = self.at(place)
-        return tuple(value(side, here) for side in sides)
+        return tuple(map(here.value, sides))
 
 
-def names_of(*sides: Basic) -> frozenset[Symbol]:
-    """Return the free symbols of several expressions."""
-    return frozenset().union(*(side.free_symbols for side in sides))
-
-
-def reached(names: Iterable[Symbol], rules: Mapping[Symbol, Basic]) -> frozenset[Symbol]:
+def reached(names: Iterable[str], rules: Mapping[str, Expr]) -> frozenset[str]:
     """Return the symbols ``names`` and all symbols on which their meanings depend."""
-    found, waiting = set[Symbol](), [*names]
+    found, waiting = set[str](), [*names]
     while waiting:
         name = waiting.pop()
         if name not in found:
             found.add(name)
-            waiting += rules[name].free_symbols if name in rules else ()
+            waiting += symbols(rules[name]) if name in rules else ()
     return frozenset(found)
 
 
-def need_unbound(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> None:
+def need_unbound(sides: Iterable[Expr], rules: Mapping[str, Expr]) -> None:
     """Require that no symbol occurs where a variable is bound on which its meaning depends."""
-    for node in {n for e in sides for n in e.atoms(Integral, Derivative, Subs)}:
-        for name in node.free_symbols.intersection(rules):
-            if not reached((name,), rules).isdisjoint(node.variables):
+    for node in dict.fromkeys(binders_in(*sides)):
+        for name in symbols(node).intersection(rules):
+            if not reached((name,), rules).isdisjoint(node.names):
                 raise CircularError(
                     f"{name} is defined in terms of a variable that is bound where {name} occurs"
                 )
@@ -103,8 +101,8 @@ def need_unbound(sides: Iterable[Basic], rules: Mapping[Symbol, Basic]) -> None:
 
 @lru_cache(maxsize=512)
 def points_for(
-    world: World, names: frozenset[Symbol], enough: int = ROOTS
-) -> Kept[dict[Symbol, Interval]]:
+    world: World, names: frozenset[str], enough: int = ROOTS
+) -> Kept[dict[str, Interval]]:
     """Return points (or tiny segments that contain one) where all conditions and equations hold.
 
     Args:
@@ -112,13 +110,13 @@ def points_for(
         names: the variables that need values.
         enough: the number of segments to find on an implicit equation.
     """
-    if len(world.implicit) > 1 or false in world.conditions:
+    if len(world.implicit) > 1 or FALSE in world.conditions:
         return Kept(lambda: iter(()))
-    symbols, plain, hard = _parts(world, names)
+    moving, plain, hard = _parts(world, names)
 
-    def starts() -> Iterator[dict[Symbol, Interval]]:
-        for named in Given.from_sympy(*plain).points(sorted(symbols), POINTS):
-            exact = {symbols[name]: Interval(v, v) for name, v in named.items()}
+    def starts() -> Iterator[dict[str, Interval]]:
+        for named in Given(tuple(plain)).points(moving, POINTS):
+            exact = {name: Interval(v, v) for name, v in named.items()}
             with ball_precision(BITS):
                 here = world.at(exact)
                 inside = all(_holds(c, here) for c in hard)
@@ -127,7 +125,7 @@ def points_for(
 
     if not world.implicit:
         return Kept(starts)
-    found: list[dict[Symbol, Interval]] = []
+    found: list[dict[str, Interval]] = []
     for grid in _grids(world):
         found = [*_roots(world, starts(), grid, enough)]
         if len(found) >= enough:
@@ -136,29 +134,28 @@ def points_for(
 
 
 def _roots(
-    world: World, starts: Iterator[dict[Symbol, Interval]], grid: Sequence[int], enough: int
-) -> Iterator[dict[Symbol, Interval]]:
+    world: World, starts: Iterator[dict[str, Interval]], grid: Sequence[int], enough: int
+) -> Iterator[dict[str, Interval]]:
     """Yield at most ``enough`` segments that bracket a root of the implicit equation."""
     segments = (segment for exact in starts for segment in _on_equation(world, exact, grid))
     return islice(segments, enough)
 
 
-def places(world: World, names: frozenset[Symbol]) -> Iterator[dict[Symbol, Interval] | None]:
+def places(world: World, names: frozenset[str]) -> Iterator[dict[str, Interval] | None]:
     """Yield points as `points_for` does, but from the independent check's own sampling.
 
     None stands for a point that is not shown to satisfy all conditions.
     """
-    if len(world.implicit) > 1 or false in world.conditions:
+    if len(world.implicit) > 1 or FALSE in world.conditions:
         return
-    symbols, plain, hard = _parts(world, names)
-    order = sorted(symbols)
-    given = Given.from_sympy(*plain).comparisons
+    order, plain, hard = _parts(world, names)
+    given = tuple(plain)
     for values in cross_check.points(order, given, cross_check.conditions(order, given)):
         if values is None:
             yield None
             continue
         ends = (Interval(v, v) for v in map(cross_check.exact, values))
-        exact = dict(zip((symbols[name] for name in order), ends, strict=True))
+        exact = dict(zip(order, ends, strict=True))
         here = world.at(exact)
         if not all(_holds(c, here) for c in hard):
             yield None
@@ -168,52 +165,53 @@ def places(world: World, names: frozenset[Symbol]) -> Iterator[dict[Symbol, Inte
             yield exact
 
 
-def _parts(
-    world: World, names: frozenset[Symbol]
-) -> tuple[dict[str, Symbol], list[Basic], list[Basic]]:
-    """Return the symbols by name, and the conditions without and with integrals or derivatives."""
+def _parts(world: World, names: frozenset[str]) -> tuple[list[str], list[Relation], list[Relation]]:
+    """Return the variables, and the conditions without and with integrals or derivatives."""
     conditions = world.conditions
-    symbols = {s.name: s for s in names | world.names(*world.implicit, *world.large)}
-    symbols |= {s.name: s for condition in conditions for s in condition.free_symbols}
-    hard = [c for c in conditions if c.has(Integral, Derivative, Subs)]
-    return symbols, [c for c in conditions if c not in hard], [*hard, *world.large]
+    large = (side for c in world.large for side in (c.left, c.right))
+    moving = names | world.names(*world.implicit, *large) | names_of(*conditions)
+    hard = [c for c in conditions if not elementary(c.left, c.right)]
+    return sorted(moving), [c for c in conditions if c not in hard], [*hard, *world.large]
 
 
 def _grids(world: World) -> tuple[Sequence[int], ...]:
     """Return the grids to search for a root; with an integral, a grid of two points comes first."""
     (difference,) = world.implicit
     rules = dict(world.rules)
-    meanings = (rules[s] for s in reached(difference.free_symbols, rules) if s in rules)
-    coarse = ((1, GRID - 1),) if any(e.has(Integral) for e in (difference, *meanings)) else ()
+    meanings = (rules[s] for s in reached(symbols(difference), rules) if s in rules)
+    slow = any(node.op == "integral" for node in binders_in(difference, *meanings))
+    coarse = ((1, GRID - 1),) if slow else ()
     return (*coarse, range(1, GRID))
 
 
 def _on_equation(
-    world: World, exact: dict[Symbol, Interval], grid: Sequence[int]
-) -> Iterator[dict[Symbol, Interval]]:
+    world: World, exact: dict[str, Interval], grid: Sequence[int]
+) -> Iterator[dict[str, Interval]]:
     """Yield at most one segment that brackets a root, along one coordinate through a point."""
     (difference,) = world.implicit
-    plain = (c for c in world.conditions if not c.has(Integral, Derivative, Subs))
-    box = Given.from_sympy(*plain).box
-    found: dict[Symbol, Interval] | None = None
+    plain = (c for c in world.conditions if elementary(c.left, c.right))
+    box = Given(tuple(plain)).box
+    found: dict[str, Interval] | None = None
     with ball_precision(ROUGH):
         fixed = {s: i.ball() for s, i in exact.items()}
         rules, moving = dict(world.rules), world.names(difference)
-        for symbol in sorted(moving, key=lambda s: (s.name not in box, s.name)):
-            low, high = _reach(box.get(symbol.name, Range()))
+        for name in sorted(moving, key=lambda s: (s not in box, s)):
+            low, high = _reach(box.get(name, Range()))
 
-            def there(v: arb | fmpq, symbol: Symbol = symbol) -> At:
-                return At({**fixed, symbol: arb(v)}, rules=rules)
+            def there(v: arb | fmpq, name: str = name) -> ball_evaluation.Place:
+                return ball_evaluation.Place({**fixed, name: arb(v)}, rules)
 
-            def at(v: arb | fmpq, there: Callable[[arb | fmpq], At] = there) -> arb:
-                return value(difference, there(v))
+            def at(
+                v: arb | fmpq, there: Callable[[arb | fmpq], ball_evaluation.Place] = there
+            ) -> arb:
+                return there(v).value(difference)
 
             segment = _segment(at, [low + (high - low) * n / GRID for n in grid])
             if segment is None or not at(segment.ball()).is_finite():
                 continue
             here = there(segment.ball())
             if all(_holds(c, here) for c in (*world.conditions, *world.large)):
-                found = {**exact, symbol: segment}
+                found = {**exact, name: segment}
                 break
     if found is not None:
         yield found
@@ -259,9 +257,9 @@ def _narrowed(function: Callable[[fmpq], arb], start: fmpq, end: fmpq) -> Interv
     return Interval(start, end)
 
 
-def _holds(condition: Basic, here: At) -> bool:
+def _holds(condition: Relation, here: ball_evaluation.Place) -> bool:
     """Return whether balls show the inequality strictly (``>=`` and ``<=`` as ``>`` and ``<``)."""
-    difference = value(condition.lhs, here) - value(condition.rhs, here)
-    if condition.rel_op == "!=":
+    difference = here.value(condition.left) - here.value(condition.right)
+    if condition.sign == "!=":
         return bool(side(difference))
-    return bool(difference > 0 if condition.rel_op in (">", ">=") else difference < 0)
+    return bool(difference > 0 if condition.sign in (">", ">=") else difference < 0)

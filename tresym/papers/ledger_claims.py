@@ -80,17 +80,11 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
-from functools import cache, partial
 from pathlib import Path
 from typing import Any
-
-import sympy
-from sympy import Basic, Eq, Ge, ImmutableMatrix, Le, Symbol, Tuple
-from sympy import Expr as Expression
-from sympy.core.relational import Relational
 
 from tresym.ledger.axioms import Axiom
 from tresym.ledger.claim import (
@@ -113,51 +107,45 @@ from tresym.ledger.claim import (
     Step,
     in_words,
     jointly,
-    parts_of,
 )
-from tresym.ledger.conversion import conditions, tree
-from tresym.ledger.evidence.asymptotics import SIDES, Asymptotics
+from tresym.ledger.evidence.asymptotics import Asymptotics
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted, Charts
 from tresym.ledger.evidence.decided import Decided
-from tresym.ledger.evidence.integrals import with_bounds
 from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.evidence.remainders import Remainder
-from tresym.ledger.evidence.sign_prover import undefined
+from tresym.ledger.evidence.sign_prover import with_single_powers
+from tresym.ledger.formulas import (
+    Condition,
+    EqualMatrices,
+    Rounded,
+    Says,
+    Tending,
+    Under,
+    in_order,
+    in_trees,
+    is_bound,
+    is_equation,
+    mapped,
+    names_of,
+    parts_of,
+    sides_of,
+    together,
+)
 from tresym.ledger.reasons import (
     changing_variable,
-    citing,
     collecting,
     cutting,
     differentiating_integral,
     integrating,
     substituting,
 )
-from tresym.ledger.statements import (
-    As,
-    AtMostOne,
-    Conserved,
-    ExactlyOne,
-    ForSome,
-    Infimum,
-    Rounds,
-    StableEquilibrium,
-    StrictlyDecreasing,
-    StrictlyIncreasing,
-    TheRoot,
-    Under,
-    UnstableEquilibrium,
-    order,
-)
 from tresym.papers.definitions import PREFIX
 from tresym.papers.definitions import Definition as Abbreviation
-from tresym.papers.matrices import Matrices, MatrixFunction, entries
+from tresym.papers.matrices import Matrices, Matrix, MatrixFunction, entries
 from tresym.papers.reading import CLAUSE, DEFINED, OwnPaper, Reader, clauses_of, near
 from tresym.papers.ways_to_show import Line, way_to_show
-from tresym.reals.domain.operation_domains import needs
-from tresym.reals.language import named_claims
-from tresym.reals.language.binders import generalised, ordered, outermost
 from tresym.reals.language.brackets import closing, encloses, places, split
 from tresym.reals.language.claims import Written
 from tresym.reals.language.compound import (
@@ -167,35 +155,36 @@ from tresym.reals.language.compound import (
     Shape,
     Somewhere,
     Together,
-    mapped,
     read_compound,
 )
+from tresym.reals.language.compound import (
+    mapped as compound_mapped,
+)
 from tresym.reals.language.expression import (
-    ZERO,
+    LEAVES,
+    ONE,
     Expr,
-    instantiate,
-    opened,
-    replaced,
+    number,
+    rebuild,
     substitute,
     symbol,
     symbols,
+    trees,
 )
 from tresym.reals.language.formula import Compared, Relation
+from tresym.reals.language.named_claims import Conserved, Equilibrium, Extremum
 from tresym.reals.language.parsing import as_written, parse_claim, parse_given
 from tresym.reals.language.paths import read_path
-from tresym.reals.language.sympy import RELATIONS
-from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.language.unicode_input import plain
 from tresym.reals.numbers.exact import InputError, parse_number
 from tresym.reals.verdict import Verdict
 
 OWN = {"E": "E_", "lambda": "lambda_"}
 """Symbols that the grammar gives another meaning, and what they are called while it reads."""
-_CLASS = {sign: getattr(sympy, name) for name, sign in RELATIONS.items()}
-_BOUND = sympy.Gt | sympy.Ge | sympy.Lt | sympy.Le | sympy.Ne
-_COUNTS = {"exactly one": ExactlyOne, "at most one": AtMostOne}
-_EQUILIBRIA = {"stable": StableEquilibrium, "unstable": UnstableEquilibrium}
-_SHAPES = {"increasing": StrictlyIncreasing, "decreasing": StrictlyDecreasing}
+_SIGNS = ("==", "!=", "<", "<=", ">", ">=")
+_COUNTED = ("exactly one", "at most one")
+_SHAPES = ("increasing", "decreasing")
+_EQUILIBRIA = ("stable", "unstable")
 _CLAUSES = ("given", "using", "knowing", "expect", "at", "instead", "as")
 _HINTS = ("with", "by slope", "by residual", "dominated by", "shown by")
 """Clauses that name the method by which a claim is shown."""
@@ -236,7 +225,7 @@ class Part:
 
     title: str
     claims: Mapping[str, Claim]
-    named: Mapping[str, tuple[Basic, ...]]
+    named: Mapping[str, tuple[Condition, ...]]
     lines: Mapping[str, tuple[int, int]]
     shorthands: Mapping[str, Any] = field(default_factory=dict)
 
@@ -278,7 +267,7 @@ def read_part(path: Path, others: Callable[[str], Mapping[str, Any]]) -> Part:
     if found.problems:
         first = found.problems[0]
         raise InputError(f"{path.name}:{first.line}:{first.column}: {first.message}")
-    made = {d.name: _in_sympy(d.expression) for d in found.definitions.values() if not d.parameters}
+    made = {d.name: _own(d.expression) for d in found.definitions.values() if not d.parameters}
     made |= reader.matrices.known
     return Part(found.title, reader.own, reader.named, reader.lines, made)
 
@@ -306,7 +295,7 @@ class PartReader(Reader):
         self.stated: dict[str, Claim] = {}
         """All claims that may be used here, by label."""
         self.own: dict[str, Claim] = {}
-        self.named: dict[str, tuple[Basic, ...]] = {}
+        self.named: dict[str, tuple[Condition, ...]] = {}
         self.axioms: dict[str, Axiom] = {}
         """Theorems that claims may quote."""
         self.charts: dict[str, Charts] = {}
@@ -314,12 +303,8 @@ class PartReader(Reader):
         self.lines: dict[str, tuple[int, int]] = {}
         self.vectors: dict[str, int] = {}
         """Functions whose value is a vector, and the number of its components."""
-        self.converted: list[tuple[Expr, Any]] = []
-        """The sides of the claim that is read, as they stand and as SymPy writes them."""
         self.waiting: _Waiting | None = None
         self.matrices = Matrices(self._entry)
-        self.entries: list[Expr] = []
-        """The numbers that stand in the equation of matrices that is read."""
 
     def read(self, text: str) -> OwnPaper:
         """Read the whole file."""
@@ -434,12 +419,12 @@ class PartReader(Reader):
         if match is None:
             return
         names = map(str.strip, (match[3] or "").split(","))
-        held = tuple(Symbol(name, real=True) for name in names if name)
+        held = tuple(name for name in names if name)
         meant = [self._says(part.strip()) for part in split(match[4] or "", ",") if part]
-        if not all(isinstance(part, Eq) for part in meant):
+        if not all(isinstance(part, Relation) and part.sign == "==" for part in meant):
             raise InputError("what a symbol means is an equation: write where u == v")
-        reading = tuple((part.args[0], part.args[1]) for part in meant)
-        remainder = Remainder(Symbol(match[2], real=True), held, reading)
+        reading = tuple((part.left, part.right) for part in meant)
+        remainder = Remainder(match[2], held, reading)
         proof = fields["proof"]
         if isinstance(proof, Boxes) and proof.meant is not None:
             fields["proof"] = replace(proof, meant=replace(proof.meant, remainder=remainder))
@@ -450,17 +435,15 @@ class PartReader(Reader):
 
     def _with_constant(self, fields: dict[str, Any], text: str) -> Evidence:
         """Evidence for a bound with the constant that is printed, ``2 of GAUGE``."""
-        number, _, gauge = text.partition(" of ")
-        size = self._tree(f"({number})*({gauge})") if gauge else self._tree(number)
-        says = fields.get("means", fields["says"])
-        sides = [side for part in parts_of(says) for side in part.args]
-        proof = fields["proof"]
-        if not isinstance(proof, Decided | Charted | Boxes) or _in_sympy(size) not in sides:
+        written, _, rest = text.partition(" of ")
+        constant, gauge = parse_number(written), self._expression(rest) if rest else ONE
+        size = in_order(number(constant) * gauge)
+        proof, stated = fields["proof"], sides_of(fields.get("means", fields["says"]))
+        if not isinstance(proof, Decided | Charted | Boxes) or size not in stated:
             raise InputError(f"the statement contains no bound {text}")
-        proof = replace(proof, constant=parse_number(number))
         if isinstance(proof, Decided):
-            return replace(proof, gauge=_in_sympy(self._tree(gauge)) if gauge else sympy.S.One)
-        return proof
+            return replace(proof, constant=constant, gauge=gauge)
+        return replace(proof, constant=constant)
 
     def _axiom(self, name: str) -> Axiom:
         if name.strip() not in self.axioms:
@@ -468,21 +451,8 @@ class PartReader(Reader):
         return self.axioms[name.strip()]
 
     def _state(self, line: int, label: str, place: str, fields: dict[str, Any]) -> None:
-        if isinstance(fields.get("says"), Basic):
-            fields["says"] = self._with_known_roots(fields["says"])
         self.waiting = _Waiting(label, self._end(line), {**fields, "where": _place(place)})
         self.lines[label] = line, self.waiting.end
-
-    def _with_known_roots(self, says: Basic) -> Basic:
-        """The statement with each root as the claim writes it that there is at most one."""
-        written = says.atoms(TheRoot)
-        known = {
-            ordered(tree(made)): made
-            for claim in (self.stated.values() if written else ())
-            if isinstance(claim.statement, ExactlyOne | AtMostOne)
-            for made in (TheRoot(*claim.statement.args),)
-        }
-        return says.xreplace({each: known.get(ordered(tree(each)), each) for each in written})
 
     def _finish(self) -> None:
         """Make a claim of what was read last."""
@@ -534,31 +504,28 @@ class PartReader(Reader):
             value = known[name]
             if isinstance(value, Axiom):
                 self.axioms[name] = value
-            elif isinstance(value, ImmutableMatrix | MatrixFunction):
+            elif isinstance(value, Matrix | MatrixFunction):
                 self.matrices.known[name] = value
             elif isinstance(value, Charts):
                 self.charts[name] = value
             elif isinstance(value, Claim):
                 self.stated[name] = self.stated[value.label] = value
-            elif isinstance(value, Expression):
+            elif isinstance(value, Expr):
                 self._abbreviate(line, name, (), value)
             elif isinstance(value, tuple):
-                self.named[name] = value
+                self.named[name] = tuple(map(in_trees, value))
             elif callable(value):
                 self._take_function(line, name, value)
             else:
                 raise InputError(f"{name} of {file} is neither a claim nor an expression")
 
-    def _abbreviate(
-        self, line: int, name: str, parameters: tuple[str, ...], value: Expression
-    ) -> None:
-        e = tree(value)
+    def _abbreviate(self, line: int, name: str, parameters: tuple[str, ...], e: Expr) -> None:
         self.definitions[name] = Abbreviation(line, name, parameters, str(e), e, e)
 
     def _take_function(self, line: int, name: str, function: Callable[..., Any]) -> None:
         """Take a formula that programs run, as a function of the same arguments."""
         asked = [p for p in inspect.signature(function).parameters if p != "m"]
-        made = function(*(Symbol(p, real=True) for p in asked), **_arithmetic(function))
+        made = function(*map(symbol, asked), **_arithmetic(function))
         if isinstance(made, tuple):
             self.vectors[name] = len(made)
             for n, part in enumerate(made, 1):
@@ -586,8 +553,8 @@ class PartReader(Reader):
             raise InputError(f"'{label}' is not the label of one claim")
         return found[0]
 
-    def _expression(self, text: str) -> Expression:
-        return _in_sympy(self._tree(text))
+    def _expression(self, text: str) -> Expr:
+        return _own(self._tree(text))
 
     # Claims
 
@@ -596,8 +563,8 @@ class PartReader(Reader):
 
     def _let(self, line: int, label: str, place: str, written: str) -> None:
         self._need_new_label(label)
-        equations: list[Basic] = []
-        given: list[Basic] = []
+        equations: list[Relation] = []
+        given: list[Condition] = []
         proof: Evidence = Definition()
         for part in map(str.strip, split(written, ",")):
             match = DEFINED.fullmatch(part)
@@ -609,14 +576,13 @@ class PartReader(Reader):
             name = OWN.get(match[1], match[1])
             if root := self._root(name, match[3]):
                 proof = root
-                equations += root.says
+                equations += root.says.parts
             else:
                 equations.append(self._relation((symbol(name), "==", self._tree(match[3]))))
-        if isinstance(proof, Root) and len(equations) != len(proof.says):
+        if isinstance(proof, Root) and len(equations) != len(proof.says.parts):
             raise InputError("a root is defined on a line of its own")
         if equations:
-            says = equations[0] if len(equations) == 1 else Tuple(*equations)
-            fields = {"says": says, "given": tuple(given), "proof": proof}
+            fields = {"says": together(equations), "given": tuple(given), "proof": proof}
             self._state(line, label, place, fields)
         else:
             self.named[label] = tuple(given)
@@ -627,9 +593,10 @@ class PartReader(Reader):
         if match is None:
             return None
         (unique,) = self._found(match[1])
-        if not isinstance(unique.statement, ExactlyOne):
+        says = unique.statement
+        if not isinstance(says, Count) or says.how != "exactly one":
             raise InputError(f"{match[1]} does not say that there is exactly one root")
-        return Root(_in_sympy(symbol(name)), unique)
+        return Root(_named(name), unique)
 
     def _claimed(
         self,
@@ -641,7 +608,6 @@ class PartReader(Reader):
         place: str,
         assumed: bool,
     ) -> None:
-        self.converted = []
         for word in clauses:
             if word not in (*_CLAUSES, *_HINTS):
                 raise InputError(f"'{word}' is not read in a paper of the ledger yet")
@@ -676,10 +642,11 @@ class PartReader(Reader):
             says = self._tending(says, clauses["as"])
         steps = self._steps(self._clause_free(written), says, uses)
         given = [*self._declared_about((says, *given)), *given]
-        domains = partial(_need_domains, tuple(self.converted), tuple(given), tuple(uses))
-        fields |= {"says": says, "given": tuple(given), "first": cache(domains)}
+        bounds = tuple(c for c in given if is_bound(c))
+        says = mapped(says, lambda e: in_order(with_single_powers(e, bounds)))
+        fields |= {"says": says, "given": tuple(given)}
         at = clauses.get("at", "")
-        along, beside = self._along(at) if at and isinstance(says, As) else ({}, None)
+        along, beside = self._along(at) if at and isinstance(says, Tending) else ({}, None)
         values = {} if along else _point(at)
         if at and expect != "refuted":
             raise InputError("'at' names a point at which a claim fails: expect refuted at x == 1")
@@ -703,7 +670,7 @@ class PartReader(Reader):
                 fields["expect"] = _expected(expect, fields["proof"], uses)
         self._state(line, label, place, fields)
 
-    def _facts(self, text: str) -> tuple[Basic, ...]:
+    def _facts(self, text: str) -> tuple[Says, ...]:
         """Inequalities, each of which may have conditions of its own."""
         return tuple(self._says(part.strip()) for part in split(text, ",") if part.strip())
 
@@ -712,7 +679,7 @@ class PartReader(Reader):
         return clauses_of(written, self.clause)[0]
 
     def _shown(
-        self, label: str, written: str, stated: tuple[Basic, ...], uses: list[Claim]
+        self, label: str, written: str, stated: tuple[Any, ...], uses: list[Claim]
     ) -> Evidence | None:
         """The evidence of a method that the claim names; None if it names none."""
         clauses = clauses_of(written, self.clause)[1]
@@ -751,21 +718,21 @@ class PartReader(Reader):
         links = [self._expanded(link) for link in parse_given(plain(self._called(text)))]
         if any(left.op != "symbol" or sign != "==" for left, sign, _ in links):
             raise InputError(f"'{text}': write with x == 1/a, y == a + b")
-        values = tuple((_in_sympy(left), _in_sympy(right)) for left, _, right in links)
+        values = tuple((_named(str(left)), _own(right)) for left, _, right in links)
         return Instance(uses[0], values, tuple(uses[1:]))
 
-    def _by_slope(self, text: str, says: Basic, uses: list[Claim]) -> Evidence:
+    def _by_slope(self, text: str, says: Says, uses: list[Claim]) -> Evidence:
         """For each part, that a root is monotone by the sign of a slope, which steps lead to."""
-        if isinstance(says, AtMostOne):
+        if isinstance(says, Count) and says.how == "at most one":
             return Monotone(self._signed(text, says, uses))
         root = next((claim for claim in uses if isinstance(claim.proof, Root)), None)
-        if root is None or not all(isinstance(p, tuple(_SHAPES.values())) for p in parts_of(says)):
+        if root is None or not all(isinstance(part, Shape) for part in parts_of(says)):
             raise InputError("'by slope' shows that a root is increasing or decreasing; use it")
         slopes = [self._signed(part, says, uses) for part in split(text, r"\band\b")]
         found = [RootMonotone(root, slope) for slope in slopes]
         return found[0] if len(found) == 1 else Follows(tuple(found))
 
-    def _by_residual(self, text: str, says: Basic, uses: list[Claim]) -> Evidence:
+    def _by_residual(self, text: str, says: Says, uses: list[Claim]) -> Evidence:
         """A bound on a root by the sign of the function there, to which steps lead."""
         root = next((claim for claim in uses if isinstance(claim.proof, Root)), None)
         if root is None:
@@ -773,7 +740,7 @@ class PartReader(Reader):
         others = [claim for claim in uses if claim is not root]
         return RootBound(root, self._signed(text, says, others))
 
-    def _signed(self, text: str, says: Basic, uses: list[Claim]) -> Evidence:
+    def _signed(self, text: str, says: Says, uses: list[Claim]) -> Evidence:
         """The steps ``u == v > 0`` from an expression to its sign."""
         stages = [stage.strip() for stage in split(text, _SIGN)]
         signs = [text[a:b] for a, b in places(text, _SIGN)]
@@ -782,52 +749,52 @@ class PartReader(Reader):
         chain = []
         for stage in stages[:-1]:
             shown, why = self._because(stage, uses)
-            chain.append(Step(_in_sympy(self._tree(shown)), why))
+            chain.append(Step(self._expression(shown), why))
         return _evidence(uses, (says,), ((*chain, Step(None, ())),), {})
 
-    def _given(self, text: str) -> list[Basic]:
+    def _given(self, text: str) -> list[Condition]:
         """The conditions of a text: those with a name, printed inputs and comparisons."""
-        found: list[Basic] = []
+        found: list[Condition] = []
         for part in filter(None, map(str.strip, split(text, ","))):
             if part in self.named:
                 found += self.named[part]
             elif (match := _PRINTED.fullmatch(part)) and not match[3]:
-                found.append(Rounds(_in_sympy(self._tree(match[1])), match[2]))
+                found.append(Rounded(self._expression(match[1]), match[2]))
             else:
                 found += map(self._relation, parse_given(plain(self._called(part))))
         return found
 
-    def _declared_about(self, written: tuple[Basic, ...]) -> list[Basic]:
+    def _declared_about(self, written: tuple[Any, ...]) -> list[Condition]:
         """The declared conditions about the variables of a claim, and about those of conditions."""
-        names = {s.name for e in written for s in e.free_symbols}
+        names = names_of(*written)
         left = [self._relation(link) for link in self.given]
-        found: list[Basic] = []
-        while new := [c for c in left if names & {s.name for s in c.free_symbols}]:
-            names |= {s.name for c in new for s in c.free_symbols}
+        found: list[Condition] = []
+        while new := [c for c in left if names & names_of(c)]:
+            names |= names_of(*new)
             left = [c for c in left if c not in new]
             found += [c for c in new if c not in written]
         return found
 
-    def _says(self, text: str) -> Basic:
+    def _says(self, text: str) -> Any:
         """The statement of a text; the chain ``a == b >= c`` states that a >= c."""
         if match := _PRINTED.fullmatch(text):
-            return Rounds(_in_sympy(self._tree(match[1])), match[2], 2 if match[3] else 1)
+            return Rounded(self._expression(match[1]), match[2], 2 if match[3] else 1)
         if match := _INFIMUM.fullmatch(text):
-            return Infimum(*(_in_sympy(self._tree(side)) for side in match.groups()))
+            function, value = map(self._expression, match.groups())
+            return Extremum("infimum", function, (), value, ())
         if encloses(text) and (parts := split(text[1:-1], r"\bgiven\b"))[1:]:
-            return Under(self._says(parts[0].strip()), Tuple(*self._given(parts[1])))
+            return Under(self._says(parts[0].strip()), tuple(self._given(parts[1])))
         if self.matrices.stand_in(text):
             return self._of_matrices(text)
-        together = [part.strip() for part in split(text, r"\band\b")]
-        if len(together) > 1 and any(map(_ends_in_an_order, together)):
-            return Tuple(*(part for each in together for part in parts_of(self._says(each))))
+        pieces = [part.strip() for part in split(text, r"\band\b")]
+        if len(pieces) > 1 and any(map(_ends_in_an_order, pieces)):
+            return Together(tuple(part for each in pieces for part in parts_of(self._says(each))))
         whole = read_compound(self._called(text))
         if whole is not None:
-            return self._formula_of(mapped(whole.formula, self._put))
+            return self._formula_of(compound_mapped(whole.formula, self._put))
         links = [self._expanded(link) for link in parse_claim(plain(self._called(text)))]
         links = list(_derived(links))
-        relations = [self._relation(link) for link in links]
-        return relations[0] if len(relations) == 1 else Tuple(*relations)
+        return together(map(self._relation, links))
 
     def _define_matrix(self, line: int, name: str, arguments: str | None, text: str) -> None:
         self._need_new(name)
@@ -840,38 +807,33 @@ class PartReader(Reader):
             return
         names = [argument.strip() for argument in arguments.split(",")]
         within = replace(self.matrices, scalar=lambda e: self._entry(e, names))
-        parameters = tuple(_in_sympy(symbol(argument)) for argument in names)
+        parameters = tuple(map(_named, names))
         self.matrices.known[name] = MatrixFunction(parameters, within.read(text))
 
-    def _entry(self, text: str, parameters: Sequence[str] = ()) -> Expression:
+    def _entry(self, text: str, parameters: Sequence[str] = ()) -> Expr:
         """A number that stands in an expression with matrices."""
         e = as_written(plain(self._called(text)))
         self._need_known(symbols(e) - {*parameters})
         put = self._put(e)
         self._need_functions((put,))
-        self.entries.append(put)
-        made: Expression = _in_sympy(put)
-        return made
+        return _own(put)
 
-    def _of_matrices(self, text: str) -> Basic:
+    def _of_matrices(self, text: str) -> Any:
         """Equations of matrices, beside other claims."""
-        found: list[Basic] = []
+        found: list[Any] = []
         for part in map(str.strip, split(text, r"\band\b")):
             if not self.matrices.stand_in(part):
                 found += parts_of(self._says(part))
                 continue
-            self.entries = []
             sides = [self.matrices.read(side) for side in split(part, _SIGN)]
             if len(sides) != 2 or len(split(part, "==")) != 2:
                 raise InputError(f"'{part}': matrices are compared by one equation A == B")
             if sides[0].shape != sides[1].shape:
                 raise InputError(f"'{part}': {sides[0].shape} and {sides[1].shape} do not fit")
-            whole = sympy.Add(*sides[0], *sides[1], evaluate=False)
-            self.converted += [(entry, whole) for entry in self.entries]
-            found.append(Eq(*sides, evaluate=False))
-        return found[0] if len(found) == 1 else Tuple(*found)
+            found.append(EqualMatrices(*(side.mapped(in_order).rows for side in sides)))
+        return together(found)
 
-    def _along(self, text: str) -> tuple[dict[Symbol, Expression], Relational | None]:
+    def _along(self, text: str) -> tuple[dict[str, Expr], Relation | None]:
         """A curve ``x == t, y == -t`` along which an order fails as t tends to 0 from above.
 
         The inequality ``y < t**2`` compares a root with a value on the curve.
@@ -881,32 +843,25 @@ class PartReader(Reader):
         along = [link for link in links if link[1] not in ("<", ">")]
         if any(left.op != "symbol" or sign != "==" for left, sign, _ in along) or beside[1:]:
             raise InputError(f"'{text}': write at x == t, y == -t, with t -> 0+")
-        return {_in_sympy(left): _in_sympy(right) for left, _, right in along}, (*beside, None)[0]
+        return {_named(str(left)): _own(right) for left, _, right in along}, (*beside, None)[0]
 
-    def _tending(self, says: Basic, path: str) -> Basic:
+    def _tending(self, says: Any, path: str) -> Tending:
         """An order along a path."""
-        if not isinstance(says, Eq):
+        if not isinstance(says, Relation) or says.sign != "==":
             raise InputError("an order along a path is an equation, such as f == O(g) as x -> oo")
-        read = read_path(self._called(path))
-        if read.together:
-            names = (_in_sympy(symbol(name)) for name in read.together)
-            points = (_in_sympy(point) for point in read.points)
-            return order(says, Tuple(*names), Tuple(*points), 0)
-        what = _in_sympy(read.expression or symbol(read.name))
-        if read.point is None:
-            return order(says, what, sympy.oo * read.sides[0])
-        side = next(n for n, sides in SIDES.items() if {*sides} == {*read.sides})
-        return order(says, what, _in_sympy(read.point), side)
+        read = mapped(read_path(self._called(path)), _own)
+        names = tuple(map(_named, read.together))
+        return Tending(says, replace(read, name=_named(read.name), together=names))
 
-    def _steps(self, text: str, says: Basic, uses: list[Claim]) -> tuple[Chain, ...]:
+    def _steps(self, text: str, says: Any, uses: list[Claim]) -> tuple[Chain, ...]:
         """The derivations of a text, one for each part; the claims that steps name are used.
 
         There are none if each part has one step, and none of them names a claim.
         """
         chains: list[Chain] = []
-        if isinstance(says, sympy.Equivalent):
+        if isinstance(says, Equivalent):
             return self._equivalences(text, uses)
-        if not all(isinstance(part, Relational) for part in parts_of(says)):
+        if not all(isinstance(part, Relation | EqualMatrices) for part in parts_of(says)):
             return ()
         for part in split(text, r"\band\b"):
             _, *stages = split(part, _SIGN)
@@ -917,7 +872,7 @@ class PartReader(Reader):
             for n, stage in enumerate(stages, 1):
                 shown, why = self._because(stage, uses)
                 last = n == len(stages)
-                chain.append(Step(None if last else _in_sympy(self._tree(shown)), why))
+                chain.append(Step(None if last else self._expression(shown), why))
             chains.append(tuple(chain))
         derived = any(len(chain) > 1 or any(link.reasons for link in chain) for chain in chains)
         if derived and len(chains) != len(parts_of(says)):
@@ -933,10 +888,10 @@ class PartReader(Reader):
         named = [self.stated[word] for word in words if word in self.stated]
         uses += [claim for claim in named if claim not in uses]
         reasons = [substituting(*named)] if named else []
-        bounds = [claim for claim in named if all(isinstance(p, _BOUND) for p in claim.parts)]
+        bounds = [claim for claim in named if all(map(is_bound, claim.parts))]
         reasons += [collecting() for word in words if word == "one integral"]
         reasons += [
-            _RULES[rule[1] and rule[1].split()[0]](_in_sympy(self._tree(rule[2])), *bounds)
+            _RULES[rule[1] and rule[1].split()[0]](self._expression(rule[2]), *bounds)
             for rule in map(_RULE.fullmatch, words)
             if rule is not None
         ]
@@ -951,47 +906,38 @@ class PartReader(Reader):
             chain.append(Step(self._says(shown.strip()), why))
         return (tuple(chain),) if len(chain) > 1 or chain[0].reasons else ()
 
-    def _formula_of(self, formula: Formula) -> Basic:
+    def _formula_of(self, formula: Formula) -> Any:
         """A claim made of others as a statement of the ledger."""
         if isinstance(formula, Together):
-            parts = [part for f in formula.parts for part in parts_of(self._formula_of(f))]
-            return Tuple(*parts)
+            parts = (part for f in formula.parts for part in parts_of(self._formula_of(f)))
+            return Together(tuple(parts))
         if isinstance(formula, Equivalent):
             first, *_, last = map(self._formula_of, formula.parts)
-            return sympy.Equivalent(first, last)
-        if isinstance(formula, Count) and formula.how in _COUNTS and not any(formula.closed):
-            ends = (_in_sympy(e) for e in (symbol(formula.name), formula.low, formula.high))
-            return _COUNTS[formula.how](*ends, self._relation(formula.equation))
-        if isinstance(formula, Shape) and formula.how in _SHAPES:
-            named = (_in_sympy(e) for e in (formula.function, symbol(formula.name)))
-            return _SHAPES[formula.how](*named)
-        if isinstance(formula, named_claims.Conserved):
-            return Conserved(
-                _in_sympy(formula.function),
-                Tuple(*(_in_sympy(symbol(name)) for name in formula.names)),
-                Tuple(*(_in_sympy(rate) for rate in formula.rates)),
-            )
-        if isinstance(formula, named_claims.Equilibrium) and formula.how in _EQUILIBRIA:
-            if formula.by is not None:
-                raise InputError("a function after 'by' is not used in a paper of the ledger")
-            names, rates, point = (
-                Tuple(*(_in_sympy(e) for e in vector))
-                for vector in (map(symbol, formula.names), formula.rates, formula.point)
-            )
-            return _EQUILIBRIA[formula.how](names, rates, point)
-        if (
-            not isinstance(formula, Written | Somewhere)
-            or getattr(formula, "path", None) is not None
-        ):
-            raise InputError("this form of a claim is not read in a paper of the ledger yet")
-        links = formula.comparisons
+            return Equivalent((first, last))
         if isinstance(formula, Written):
-            links = _derived(links)
-        relations = [self._relation(link) for link in links]
-        says = relations[0] if len(relations) == 1 else Tuple(*relations)
-        if formula.given:
-            says = Under(says, Tuple(*map(self._relation, formula.given)))
-        return ForSome(says) if isinstance(formula, Somewhere) else says
+            if formula.path is not None:
+                raise InputError("a path stands at the end of a claim, for all of it")
+            says = together(map(self._relation, _derived(formula.comparisons)))
+            given = tuple(map(self._relation, formula.given))
+            return Under(says, given) if given else says
+        known = {Count: _COUNTED, Shape: _SHAPES, Equilibrium: _EQUILIBRIA}
+        fits = isinstance(formula, Somewhere | Conserved) or formula.how in known.get(
+            type(formula), ()
+        )
+        if not fits or (isinstance(formula, Count) and any(formula.closed)):
+            raise InputError("this form of a claim is not read in a paper of the ledger yet")
+        if isinstance(formula, Equilibrium) and formula.by is not None:
+            raise InputError("a function after 'by' is not used in a paper of the ledger")
+        made: Any = mapped(formula._replace(given=()), self._known)
+        if isinstance(made, Count):
+            made = made._replace(equation=Relation(*made.equation))
+        if isinstance(made, Somewhere):
+            made = made._replace(comparisons=tuple(Relation(*c) for c in made.comparisons))
+        if hasattr(made, "name"):
+            return made._replace(name=_named(made.name))
+        return (
+            made._replace(names=tuple(map(_named, made.names))) if "names" in made._fields else made
+        )
 
     def _tree(self, text: str) -> Expr:
         e = as_written(plain(self._called(text)))
@@ -999,61 +945,17 @@ class PartReader(Reader):
         self._need_functions((put := self._put(e),))
         return put
 
-    def _relation(self, link: Compared) -> Basic:
+    def _known(self, e: Expr) -> Expr:
+        """An expression of a statement, in the symbols of the ledger."""
+        self._need_known(symbols(e))
+        self._need_functions((e,))
+        return _own(e)
+
+    def _relation(self, link: Compared) -> Relation:
         left, sign, right = self._expanded(link)
-        if sign not in _CLASS:
+        if sign not in _SIGNS:
             raise InputError(f"'{sign}' is not read in a paper of the ledger yet")
-        self._need_known(symbols(left) | symbols(right))
-        self._need_functions((left, right))
-        sides = [_in_sympy(side) for side in (left, right)]
-        self.converted += zip((left, right), sides, strict=True)
-        made: Basic = _CLASS[sign](*sides, evaluate=False)
-        return made
-
-
-def _need_domains(
-    converted: tuple[tuple[Expr, Any], ...], given: tuple[Basic, ...], uses: tuple[Claim, ...]
-) -> None:
-    """Where the form that SymPy gives an expression has a value, the expression must have one.
-
-    SymPy writes x for the square of √x, and 1 for x/x.
-    """
-    known = tuple(c for c in given if isinstance(c, Relational) and not isinstance(c, Eq))
-    values = (c for c in given if isinstance(c, Eq) and isinstance(c.lhs, Symbol))
-    known += tuple(end(*c.args, evaluate=False) for c in values for end in (Ge, Le))
-    meant = with_bounds(conditions(known), (citing(*uses),))
-    own = {there: symbol(name) for name, there in OWN.items()}
-    for written, made in converted:
-        there = needs(map(ordered, _without_binders(tree(made))))
-        there = [
-            (e.args[0], "!=") if e.op == "abs" and sign != ">=" else (e, sign) for e, sign in there
-        ]
-        where = (*meant, *(Relation(part, sign, ZERO) for part, sign in there))
-        parts = _without_binders(substitute(written, own), lambda e: tree(_in_sympy(e)))
-        for e in map(ordered, parts):
-            if all(part in there or not symbols(part[0]) for part in needs((e,))):
-                continue
-            gap = undefined(e, where)
-            if gap is None:
-                continue
-            raise InputError(
-                f"'{written}' is written by SymPy as {made}, which has a value at more points: "
-                f"add a condition under which {gap} has one"
-            )
-
-
-def _without_binders(e: Expr, called: Callable[[Expr], Expr] = lambda e: e) -> Iterator[Expr]:
-    """The expression with derivatives, integrals and values as symbols, and what stands in them.
-
-    The symbols are named after what ``called`` returns.
-    """
-    (plain_,) = generalised(replaced(e, {node: called(node) for node in outermost(e)}))
-    yield plain_
-    for node in outermost(e):
-        at_a_point = node.op in ("derivative", "at")
-        body = instantiate(node.args[0], node.args[1:]) if at_a_point else opened(node)[1]
-        for part in (body, *node.args[1:]):
-            yield from _without_binders(part, called)
+        return Relation(self._known(left), sign, self._known(right))
 
 
 def _by_components(text: str, name: str, size: int) -> str:
@@ -1088,18 +990,29 @@ def _derived(links: Sequence[Compared]) -> tuple[Compared, ...]:
     return ((links[0][0], links[-1][1], links[-1][2]),)
 
 
-def _in_sympy(e: Expr) -> Any:
-    """An expression in the symbols of the ledger, bound ones too."""
-    own = {Symbol(there, real=True): Symbol(name, real=True) for name, there in OWN.items()}
-    return to_sympy(e, _root).xreplace(own)
+_OWN_SYMBOLS = {there: symbol(name) for name, there in OWN.items()}
+_OWN_NAMES = {there: name for name, there in OWN.items()}
 
 
-def _root(x: Symbol, low: Expression, high: Expression, f: Expression) -> TheRoot:
-    return TheRoot(x, low, high, Eq(f, 0, evaluate=False))
+def _own(e: Expr) -> Expr:
+    """An expression in the symbols of the ledger, its terms and factors in one order."""
+    return in_order(_bound_as_named(substitute(e, _OWN_SYMBOLS)))
+
+
+def _bound_as_named(e: Expr) -> Expr:
+    """An expression with the names in the ledger for the variables that are bound in it."""
+    if e.op in LEAVES or not e.hidden:
+        return e
+    args = tuple(map(_bound_as_named, e.args))
+    return Expr(e.op, args, tuple(map(_named, e.names))) if e.names else rebuild(e, args)
+
+
+def _named(name: str) -> str:
+    return _OWN_NAMES.get(name, name)
 
 
 def _arithmetic(function: Callable[..., Any]) -> dict[str, Any]:
-    return {"m": sympy} if "m" in inspect.signature(function).parameters else {}
+    return {"m": trees} if "m" in inspect.signature(function).parameters else {}
 
 
 def _place(text: str) -> Place | None:
@@ -1125,25 +1038,25 @@ def _point(text: str) -> dict[str, Any]:
 
 def _evidence(
     uses: list[Claim],
-    written: tuple[Basic, ...],
+    written: tuple[Any, ...],
     steps: tuple[Chain, ...],
     values: Mapping[str, Any],
 ) -> Evidence:
     """How a claim is judged: by a point, as a printed number, or by the engine."""
     if values:
         return Counterexample(values, tuple(uses))
-    if any(isinstance(e, Rounds) for e in written):
+    if any(isinstance(e, Rounded) for e in written):
         return Printed(tuple(uses))
     named = [[c for link in chain for r in link.reasons for c in r.claims] for chain in steps]
     single = len(steps) > 1 and all(map(len, named)) and {*map(len, steps)} == {1}
-    if single and not any(isinstance(part, Eq) for part in parts_of(written[0])):
+    if single and not any(map(is_equation, parts_of(written[0]))):
         rest = [c for c in uses if not any(c in claims for claims in named)]
         return Follows(tuple(_evidence([*of, *rest], written, (), {}) for of in named))
     put, cited, also = [], [], []
     for claim in uses:
         parts = claim.parts if claim.in_formulas else ()
-        put += [claim] if any(isinstance(part, Eq) for part in parts) else []
-        cited += [claim] if any(not isinstance(part, Eq) for part in parts) else []
+        put += [claim] if any(map(is_equation, parts)) else []
+        cited += [claim] if not all(map(is_equation, parts)) else []
         also += [] if parts else [claim]
     return Decided(tuple(put), tuple(cited), also=tuple(also), steps=steps)
 

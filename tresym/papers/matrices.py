@@ -8,8 +8,9 @@ Rows are separated by semicolons, and a column is a matrix whose rows have one e
 
 Matrices are added and multiplied, also by numbers; there are ``transposed(A)`` and the derivative
 ``diff(A, x)``. The entries of ``turn`` are called ``turn_11``, ``turn_12``, …, those of a column
-``v_1``, ``v_2``, …. A product is worked out as far as SymPy does so by itself; in ``written_out(A,
-B)`` its entries are sums of products as they stand, which matters if an equation is to be printed.
+``v_1``, ``v_2``, …. In a product, terms with a factor 0 are left out where the other factors are
+defined everywhere; in ``written_out(A, B)`` they stay, which matters if an equation is to be
+printed.
 """
 
 from __future__ import annotations
@@ -20,10 +21,11 @@ from dataclasses import dataclass, field
 from functools import reduce
 from typing import Any
 
-from sympy import Add, Basic, Function, ImmutableMatrix, Mul, Symbol, diff
-from sympy import Expr as Expression
-
+from tresym.reals.domain.operation_domains import needs
+from tresym.reals.language.binders import elementary
 from tresym.reals.language.brackets import closing, encloses, places, split
+from tresym.reals.language.derivatives import differentiate
+from tresym.reals.language.expression import ONE, ZERO, Expr, add, multiply, substitute
 from tresym.reals.numbers.exact import InputError
 
 _CALL = re.compile(r"([^\W\d]\w*)\s*(?=\()")
@@ -31,31 +33,71 @@ _TIMES = r"(?<!\*)\*(?!\*)"
 
 
 @dataclass(frozen=True)
+class Matrix:
+    """A matrix by its rows."""
+
+    rows: tuple[tuple[Expr, ...], ...]
+
+    def __post_init__(self) -> None:
+        if len({*map(len, self.rows)}) != 1:
+            raise InputError("the rows of a matrix have the same length")
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """The number of rows, and that of columns."""
+        return len(self.rows), len(self.rows[0])
+
+    @property
+    def transposed(self) -> Matrix:
+        """The matrix with rows and columns exchanged."""
+        return Matrix(tuple(zip(*self.rows, strict=True)))
+
+    def mapped(self, change: Callable[[Expr], Expr]) -> Matrix:
+        """Return the matrix with each entry changed."""
+        return Matrix(tuple(tuple(map(change, row)) for row in self.rows))
+
+    def __neg__(self) -> Matrix:
+        return self.mapped(lambda e: _product(-ONE, e))
+
+    def __add__(self, other: Any) -> Matrix:
+        if not isinstance(other, Matrix) or other.shape != self.shape:
+            raise InputError(f"a matrix of {self.shape} is added to another one of that size")
+        pairs = zip(self.rows, other.rows, strict=True)
+        return Matrix(
+            tuple(tuple(p + q for p, q in zip(one, two, strict=True)) for one, two in pairs)
+        )
+
+    def times(self, other: Matrix, product: Callable[[Expr, Expr], Expr]) -> Matrix:
+        """Return the product; ``product`` multiplies two entries.
+
+        Raises:
+            InputError: the sizes do not fit.
+        """
+        if self.shape[1] != other.shape[0]:
+            raise InputError(f"matrices of {self.shape} and {other.shape} have no product")
+        columns = other.transposed.rows
+        return Matrix(
+            tuple(tuple(add(*map(product, row, column)) for column in columns) for row in self.rows)
+        )
+
+
+@dataclass(frozen=True)
 class MatrixFunction:
     """A matrix whose entries depend on parameters."""
 
-    parameters: tuple[Symbol, ...]
-    body: ImmutableMatrix
+    parameters: tuple[str, ...]
+    body: Matrix
 
-    def at(self, values: tuple[Expression, ...]) -> ImmutableMatrix:
-        """Return the matrix for values of the parameters; sin(x + 2π) stays as it is.
+    def at(self, values: tuple[Expr, ...]) -> Matrix:
+        """Return the matrix for values of the parameters.
 
         Raises:
             InputError: the number of values is not that of the parameters.
         """
         if len(values) != len(self.parameters):
             raise InputError(f"{len(self.parameters)} arguments are asked for")
-        put = dict(zip(self.parameters, values, strict=True))
-        return self.body.applyfunc(lambda e: _with(e, put))
-
-
-def _with(e: Basic, put: Mapping[Symbol, Expression]) -> Any:
-    if not e.free_symbols & put.keys():
-        return e
-    if e in put:
-        return put[e]
-    args = [_with(arg, put) for arg in e.args]
-    return e.func(*args, evaluate=False) if isinstance(e, Function) else e.func(*args)
+        put: Mapping[str, Expr] = dict(zip(self.parameters, values, strict=True))
+        return self.body.mapped(lambda e: substitute(e, put))
 
 
 @dataclass
@@ -67,7 +109,7 @@ class Matrices:
         known: the matrices with a name.
     """
 
-    scalar: Callable[[str], Expression]
+    scalar: Callable[[str], Expr]
     known: dict[str, Any] = field(default_factory=dict)
 
     def stand_in(self, text: str) -> bool:
@@ -75,30 +117,28 @@ class Matrices:
         words = {*re.findall(r"[^\W\d]\w*", text)}
         return bool(words & {*self.known}) or ";" in text
 
-    def read(self, text: str) -> ImmutableMatrix:
+    def read(self, text: str) -> Matrix:
         """Return the matrix that an expression stands for.
 
         Raises:
             InputError: it is no matrix, or the matrices do not fit.
         """
         found = self._sum(text)
-        if not isinstance(found, ImmutableMatrix):
+        if not isinstance(found, Matrix):
             raise InputError(f"'{text}' is not a matrix")
         return found
 
     def _sum(self, text: str) -> Any:
         try:
             return reduce(lambda one, other: one + other, map(self._product, _summands(text)))
-        except (TypeError, ValueError) as error:
-            raise InputError(f"'{text}': the matrices do not fit: {error}") from None
+        except TypeError:
+            raise InputError(f"'{text}': a matrix and a number are not added") from None
 
     def _product(self, text: str) -> Any:
         first, *others = split(text, _TIMES)
         minus = first.startswith("-")
         value = self._factor(first[1:] if minus else first)
-        return reduce(
-            lambda one, other: one * other, map(self._factor, others), -value if minus else value
-        )
+        return reduce(_times, map(self._factor, others), -value if minus else value)
 
     def _factor(self, text: str) -> Any:
         text = text.strip()
@@ -109,7 +149,7 @@ class Matrices:
             return self._literal(rows) if rows[1:] else self._sum(text[1:-1])
         if text in self.known:
             found = self.known[text]
-            if isinstance(found, ImmutableMatrix):
+            if isinstance(found, Matrix):
                 return found
             raise InputError(f"{text} is a function: write its arguments")
         match = _CALL.match(text)
@@ -117,43 +157,47 @@ class Matrices:
             raise InputError(f"'{text}' is not read as a matrix")
         return self._call(match[1], split(text[match.end() + 1 : -1], ","))
 
-    def _literal(self, rows: list[str]) -> ImmutableMatrix:
-        return ImmutableMatrix([[self.scalar(e) for e in split(row, ",")] for row in rows])
+    def _literal(self, rows: list[str]) -> Matrix:
+        return Matrix(tuple(tuple(map(self.scalar, split(row, ","))) for row in rows))
 
-    def _call(self, name: str, arguments: list[str]) -> ImmutableMatrix:
+    def _call(self, name: str, arguments: list[str]) -> Matrix:
         function = self.known.get(name)
         if isinstance(function, MatrixFunction):
             return function.at(tuple(map(self.scalar, arguments)))
         if name == "transposed" and len(arguments) == 1:
-            return self.read(arguments[0]).T
+            return self.read(arguments[0]).transposed
         if name == "diff" and len(arguments) == 2:
-            return diff(self.read(arguments[0]), self.scalar(arguments[1]))
+            variable = str(self.scalar(arguments[1]))
+            return self.read(arguments[0]).mapped(lambda e: differentiate(e, variable))
         if name == "written_out":
-            return reduce(_written_out, map(self.read, arguments))
+            return reduce(lambda one, other: one.times(other, multiply), map(self.read, arguments))
         raise InputError(f"'{name}' of a matrix is not read")
 
 
-def entries(name: str, matrix: ImmutableMatrix) -> Iterator[tuple[str, Expression]]:
+def entries(name: str, matrix: Matrix) -> Iterator[tuple[str, Expr]]:
     """Yield the entries of a matrix, each with the name under which it may be used."""
-    rows, columns = matrix.shape
-    for i in range(rows):
-        for j in range(columns):
-            place = f"{i + 1}{j + 1}" if columns > 1 else f"{i + 1}"
-            yield f"{name}_{place}", matrix[i, j]
+    columns = matrix.shape[1]
+    for i, row in enumerate(matrix.rows, 1):
+        for j, e in enumerate(row, 1):
+            yield f"{name}_{f'{i}{j}' if columns > 1 else i}", e
 
 
-def _written_out(first: ImmutableMatrix, second: ImmutableMatrix) -> ImmutableMatrix:
-    if first.shape[1] != second.shape[0]:
-        raise InputError(f"matrices of {first.shape} and {second.shape} have no product")
-    columns = range(second.shape[1])
-    return ImmutableMatrix(
-        [[_dot(first.row(i), second.col(j)) for j in columns] for i in range(first.shape[0])]
-    )
+def _times(one: Any, other: Any) -> Any:
+    """The product of matrices and numbers."""
+    if isinstance(one, Matrix) and isinstance(other, Matrix):
+        return one.times(other, _product)
+    if isinstance(one, Matrix):
+        return one.mapped(lambda e: _product(e, other))
+    if isinstance(other, Matrix):
+        return other.mapped(lambda e: _product(one, e))
+    return one * other
 
 
-def _dot(row: ImmutableMatrix, column: ImmutableMatrix) -> Expression:
-    pairs = zip(row, column, strict=True)
-    return Add(*(Mul(p, q, evaluate=False) for p, q in pairs), evaluate=False)
+def _product(one: Expr, other: Expr) -> Expr:
+    """The product of two entries; 0 where one is, and the other has a value everywhere."""
+    if ZERO in (one, other) and elementary(one, other) and not [*needs((one, other))]:
+        return ZERO
+    return one * other
 
 
 def _summands(text: str) -> list[str]:

@@ -34,9 +34,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
-
-from sympy import Basic, Symbol
-from sympy import Expr as Expression
+from typing import Any
 
 from tresym.ledger.certificates import certificate
 from tresym.ledger.claim import (
@@ -53,7 +51,9 @@ from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charts
 from tresym.ledger.evidence.decided import Decided, InVariables
 from tresym.ledger.evidence.interval_evaluation import Evaluated
+from tresym.ledger.formulas import names_of
 from tresym.reals.language.brackets import split
+from tresym.reals.language.expression import Expr
 from tresym.reals.numbers.exact import InputError
 
 _BOXES = re.compile(r"(stored\s+)?boxes")
@@ -86,9 +86,9 @@ class Line:
     label: str
     uses: tuple[Claim, ...]
     claim: Callable[[str], Claim]
-    expression: Callable[[str], Expression]
-    conditions: Callable[[str], list[Basic]]
-    stated: tuple[Basic, ...]
+    expression: Callable[[str], Expr]
+    conditions: Callable[[str], list[Any]]
+    stated: tuple[Any, ...]
     decided: Decided
     charts: Mapping[str, Charts]
 
@@ -96,15 +96,15 @@ class Line:
         """Return the claims above with these labels."""
         return tuple(map(self.claim, labels))
 
-    def symbol(self, name: str) -> Symbol:
-        """Return the symbol with a name."""
+    def symbol(self, name: str) -> str:
+        """Return the name of a variable, as the ledger has it."""
         found = self.expression(name)
-        if not isinstance(found, Symbol):
+        if found.op != "symbol":
             raise InputError(f"'{name}' is not a variable")
-        return found
+        return str(found)
 
 
-def _values(text: str, line: Line) -> Iterator[tuple[Symbol, Expression]]:
+def _values(text: str, line: Line) -> Iterator[tuple[str, Expr]]:
     """Yield the values of ``x == 1, y == 1/t``."""
     for part in map(str.strip, split(text, ",")):
         match = _IS.fullmatch(part)
@@ -163,10 +163,10 @@ def _charted(name: str, line: Line) -> Evidence:
 
 def _variables(text: str, line: Line) -> InVariables:
     """Return other variables, each with its value, and conditions on them."""
-    values: dict[Symbol, Expression] = {}
-    old: dict[Symbol, Expression] = {}
-    where: list[Basic] = []
-    known = {symbol for e in line.stated for symbol in e.free_symbols}
+    values: dict[str, Expr] = {}
+    old: dict[str, Expr] = {}
+    where: list[Any] = []
+    known = names_of(*line.stated)
     for part in map(str.strip, split(text, ",")):
         match = _IS.fullmatch(part)
         if match is None:

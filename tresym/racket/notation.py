@@ -1,12 +1,12 @@
 """The paper's symbols, each defined once, with their LaTeX.
 
 All are real. Conditions on them (0 < I₁ < I₂ < I₃, 0 < b ≤ 1, …) belong to the claims that need
-them, never to the symbols. This module imports SymPy, so only claims and proofs import it.
+them, never to the symbols.
 """
 
 from __future__ import annotations
 
-from sympy import Symbol
+from tresym.reals.language.expression import symbol as _real
 
 # fmt: off
 __all__ = [
@@ -19,10 +19,6 @@ __all__ = [
     "theta", "theta_max", "theta_min", "u", "x", "x0",
 ]
 # fmt: on
-
-
-def _real(name: str) -> Symbol:
-    return Symbol(name, real=True)
 
 
 I1, I2, I3 = _real("I1"), _real("I2"), _real("I3")

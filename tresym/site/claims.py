@@ -239,8 +239,8 @@ def _searched(label: str, name: str) -> Iterator[str]:
 def data(label: str, claim: Record) -> Record:
     """Return what the file ``LABEL.json`` beside the page of a claim holds.
 
-    ``sympy`` and ``given`` are the statement and its conditions as SymPy prints them; ``latex`` and
-    ``given_latex`` are the same in LaTeX.
+    ``formula`` and ``given`` are the statement and its conditions as a file of claims writes them,
+    ``latex`` and ``given_latex`` the same in LaTeX.
     """
     return {
         "label": label,
@@ -248,8 +248,8 @@ def data(label: str, claim: Record) -> Record:
         "title": claim["title"],
         "kind": claim["kind"],
         "verdict": claim["verdict"],
-        "sympy": claim["sympy"],
-        "given": claim["given_sympy"],
+        "formula": claim["statement"],
+        "given": claim["given_text"],
         "latex": claim["means"] or ([claim["formula"]] if claim["formula"] else []),
         "given_latex": claim["given"],
         "witness": claim["witness"],

@@ -8,7 +8,9 @@ import pytest
 from tresym.commands import main
 from tresym.dev.mutants.mutants import Mutant, line_of, places_of, why_few
 from tresym.dev.mutants.report import MutantReport, verify_mutants
-from tresym.ledger.claim import Claim
+from tresym.ledger.claim import (
+    Claim,
+)
 from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge
 from tresym.ledger.paper import Paper, all_claims

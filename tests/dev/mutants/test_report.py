@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 from sympy import Symbol
+from sympy_statements import equal
 
 from tresym.dev.mutants.mutants import Mutant
 from tresym.dev.mutants.report import (
@@ -15,7 +16,10 @@ from tresym.dev.mutants.report import (
     _survives,
     verify_mutants,
 )
-from tresym.ledger.claim import Claim, Definition, equal
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+)
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.finding import RULINGS

@@ -3,7 +3,10 @@
 import pytest
 
 from tresym.dev.mutants.seeded_faults import planted
-from tresym.ledger.claim import Claim, Counterexample
+from tresym.ledger.claim import (
+    Claim,
+    Counterexample,
+)
 from tresym.ledger.counterexamples import violation
 from tresym.ledger.finding import Finding, Premise
 from tresym.ledger.judge import judge

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from cases import cases
 from sympy import Derivative, Function, Integer, Integral, Subs, Symbol, Tuple, cos, sin, sqrt
+from sympy_statements import Rounds, equal
 
 from tresym.commands import main
 from tresym.commands.audit import show_audit
@@ -22,11 +23,16 @@ from tresym.ledger.audit.coverage import (
 )
 from tresym.ledger.audit.source import scan
 from tresym.ledger.audit.transcription import Reading, functions_of, unmet
-from tresym.ledger.claim import Claim, Definition, Place, Printed, all_of, equal
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+    Place,
+    Printed,
+    all_of,
+)
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.latex_source import read_source
 from tresym.ledger.paper import all_claims
-from tresym.ledger.statements import Rounds
 from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_author import Author
 from tresym.reals.numbers.exact import InputError

@@ -4,11 +4,16 @@ from dataclasses import replace
 
 import pytest
 from sympy import Basic, Eq, Equivalent, Matrix, Symbol, Tuple, cos, sin, sqrt
+from sympy_statements import Rounds, equal
 
 from tresym.ledger.audit.transcription import Reading, differing, functions_of, unmet
-from tresym.ledger.claim import Claim, Definition, Printed, all_of, equal
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+    Printed,
+    all_of,
+)
 from tresym.ledger.evidence.decided import Decided
-from tresym.ledger.statements import Rounds
 from tresym.reals.language.latex import read_latex
 from tresym.reals.language.latex_author import Author, Function
 from tresym.reals.language.parsing import parse

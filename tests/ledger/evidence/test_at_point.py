@@ -6,12 +6,16 @@ import pytest
 from derivations import by
 from flint import arb, fmpq
 from sympy import Eq, Symbol
+from sympy_statements import AtMostOne, TheRoot
 from tresym.proofs import near, separatrix
 
-from tresym.ledger.claim import Claim, Counterexample, Definition
+from tresym.ledger.claim import (
+    Claim,
+    Counterexample,
+    Definition,
+)
 from tresym.ledger.evidence.at_point import place_of
 from tresym.ledger.judge import judge_evidence
-from tresym.ledger.statements import AtMostOne, TheRoot
 from tresym.racket.flip.separatrix import solve
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.verdict import Verdict

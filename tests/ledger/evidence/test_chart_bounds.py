@@ -6,10 +6,14 @@ from functools import partial
 import pytest
 from flint import fmpq
 from sympy import Abs, And, Basic, Eq, Gt, Ne, Rational, Symbol, Tuple, exp, expand, log, sqrt
+from sympy_statements import ExactlyOne
 from tresym.proofs import asymptotics, near, separatrix
 from tresym.proofs.charts import BY_KAPPA, KAPPA
 
-from tresym.ledger.claim import Claim, Definition
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+)
 from tresym.ledger.evidence.chart_bounds import (
     Charted,
     On,
@@ -20,7 +24,6 @@ from tresym.ledger.evidence.chart_bounds import (
 )
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge_evidence
-from tresym.ledger.statements import ExactlyOne
 from tresym.racket.bounds import charts
 from tresym.reals.balls.branch_and_bound import box
 from tresym.reals.balls.tracing import Named, Part, traced

@@ -7,11 +7,14 @@ from typing import Any
 import pytest
 from flint import fmpq
 from sympy import Abs, Function, Symbol, sin, sqrt
+from sympy_statements import equal, order
 
-from tresym.ledger.claim import Claim, Definition, equal
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+)
 from tresym.ledger.evidence.decided import Decided, InVariables
 from tresym.ledger.judge import judge_evidence
-from tresym.ledger.statements import order
 from tresym.reals.verdict import Verdict
 
 x, y, v = (Symbol(name, real=True) for name in "xyv")

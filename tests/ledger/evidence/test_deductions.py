@@ -18,6 +18,16 @@ from sympy import (
     Tuple,
     oo,
 )
+from sympy_statements import (
+    ExactlyOne,
+    Infimum,
+    StrictlyDecreasing,
+    StrictlyIncreasing,
+    Under,
+    at,
+    equal,
+    order,
+)
 
 from tresym.ledger.claim import (
     Claim,
@@ -31,8 +41,6 @@ from tresym.ledger.claim import (
     RootBound,
     RootMonotone,
     all_of,
-    at,
-    equal,
     follows,
     in_words,
     jointly,
@@ -40,14 +48,6 @@ from tresym.ledger.claim import (
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import differentiation, evaluating
-from tresym.ledger.statements import (
-    ExactlyOne,
-    Infimum,
-    StrictlyDecreasing,
-    StrictlyIncreasing,
-    Under,
-    order,
-)
 from tresym.reals.verdict import Verdict
 
 z, t, c = (Symbol(name, real=True) for name in ("z", "t", "c"))
@@ -193,8 +193,25 @@ def test_an_order_must_be_that_of_its_bound() -> None:
         assert verdict(says, Dominated(size, low), *given).holds is holds, gauge
     assert not verdict(order(equal(x * y, BIG(1 / x)), x, oo), Dominated(size), *given).holds
     assert not verdict(order(equal(x * y, BIG(1 / x)), x, 0), Dominated(size, low), *given).holds
+    less = Tuple(x * y <= 2 / x, x * y >= 0, Under(x * y <= 1 / x**2, Tuple(y <= 1 / x**3)))
+    parts = Claim("parts", less, follows(manifest, manifest, manifest), given=size.given)
+    assert verdict(order(equal(x * y, BIG(1 / x)), x, oo), Dominated(parts), *given).holds
+    assert not verdict(order(equal(x * y, BIG(1 / x**2)), x, oo), Dominated(parts), *given).holds
     near = Claim("near", x * y <= 2 / x, manifest, given=(x > 1, x < 9, y > 0, y <= 1 / x**2))
     assert not verdict(order(equal(x * y, BIG(1 / x)), x, oo), Dominated(near, low), *given).holds
+
+
+def test_a_bound_depends_on_what_tends_alone() -> None:
+    """1/x is no O(1/(xy)): at x = 2 it does not tend to 0."""
+    given = (x > 1, y > 1)
+    above = Claim("above", 1 / x <= 2 / x, manifest, given=given)
+    below = Claim("below", 1 / x >= 0, manifest, given=given)
+    says = order(equal(1 / x, BIG(1 / (x * y))), x * y, oo)
+    assert not verdict(says, Dominated(above, below), *given).holds
+    above = Claim("above", 1 / (x * y) <= 2 / (x * y), manifest, given=given)
+    below = Claim("below", 1 / (x * y) >= 0, manifest, given=given)
+    says = order(equal(1 / (x * y), BIG(1 / (x * y))), x * y, oo)
+    assert verdict(says, Dominated(above, below), *given).holds
 
 
 def test_a_part_is_cited_under_its_conditions_only() -> None:

@@ -20,12 +20,15 @@ from sympy import (
     exp,
     sqrt,
 )
+from sympy_statements import AtMostOne, TheRoot
 
-from tresym.ledger.claim import Claim, label_claims
+from tresym.ledger.claim import (
+    Claim,
+    label_claims,
+)
 from tresym.ledger.evidence.interval_evaluation import Evaluated, judge_evaluated
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
-from tresym.ledger.statements import AtMostOne, TheRoot
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 

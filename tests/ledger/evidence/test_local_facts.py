@@ -5,18 +5,18 @@ from dataclasses import replace
 import pytest
 from derivations import by, derived, manifest, step
 from sympy import Basic, Gt, Integral, Rational, Symbol, sqrt
+from sympy_statements import Under, equal
 
 from tresym.ledger.claim import (
     Claim,
     Definition,
-    equal,
 )
 from tresym.ledger.evidence.local_facts import by_facts, facts_of
 from tresym.ledger.finding import Finding, Premise
+from tresym.ledger.formulas import in_trees
 from tresym.ledger.judge import judge
 from tresym.ledger.paper import all_claims
 from tresym.ledger.reasons import citing, integrating, roots
-from tresym.ledger.statements import Under
 from tresym.reals.verdict import Verdict
 
 v, x, y = (Symbol(name, real=True) for name in "vxy")
@@ -39,7 +39,7 @@ def test_a_fact_is_shown_and_used() -> None:
     assert finding.verdict is Verdict.PROVED
     assert [s.verdict for s in finding.steps] == [Verdict.PROVED]
     (fact,) = facts_of(claim)
-    assert (fact.says, fact.given) == (3 - x > 0, claim.given)
+    assert (fact.says, fact.given) == (in_trees(3 - x > 0), claim.given)
     assert by_facts(claim, (fact,)).uses == (fact,)
     assert claim.uses == ()
 

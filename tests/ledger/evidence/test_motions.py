@@ -6,10 +6,13 @@ import pytest
 from planted_claims import verdict_on as verdict
 from planted_claims import x, y
 from sympy import Rational, Symbol, Tuple, cos, sin
+from sympy_statements import Conserved, StableEquilibrium, UnstableEquilibrium, equal
 
-from tresym.ledger.claim import Claim, Definition, equal
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+)
 from tresym.ledger.evidence.decided import Decided
-from tresym.ledger.statements import Conserved, StableEquilibrium, UnstableEquilibrium
 from tresym.reals.verdict import Verdict
 
 PROVED, UNDECIDED = Verdict.PROVED, Verdict.UNDECIDED

@@ -10,6 +10,7 @@ from sympy import (
     Equivalent,
     Ge,
     Gt,
+    ImmutableMatrix,
     Integer,
     Integral,
     Lt,
@@ -24,8 +25,13 @@ from sympy import (
     sinh,
     sqrt,
 )
+from sympy_statements import equal
 
-from tresym.ledger.claim import Claim, Definition, Reason, equal
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+    Reason,
+)
 from tresym.ledger.conversion import conditions, definitions, formula
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.integrals import NotShownError
@@ -44,6 +50,7 @@ from tresym.ledger.reasons import (
     substituting,
     trigonometry,
 )
+from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
 
 x, y, z = (Symbol(name, real=True) for name in "xyz")
@@ -179,8 +186,10 @@ def test_matrices_entry_by_entry() -> None:
     two, other = Matrix([x + x, 1]), Matrix([2 * x, 1])
     assert proved(Eq(two, other, evaluate=False), by(algebra))
     assert not proved(Eq(two, Matrix([3 * x, 1]), evaluate=False), by(algebra))
-    assert not proved(equal(Matrix([x]), Matrix([[x, x]])), by(algebra))
-    assert not proved(equal(Matrix([x]), Matrix([x])), derived(step(Matrix([x, x]), algebra)))
+    with pytest.raises(InputError, match="different sizes"):
+        proved(equal(Matrix([x]), Matrix([[x, x]])), by(algebra))
+    with pytest.raises(InputError, match="outside the expressions"):
+        derived(step(ImmutableMatrix([x, x]), algebra))
 
 
 def test_what_is_put_in_brings_its_conditions() -> None:

@@ -8,15 +8,21 @@ import pytest
 from derivations import by, derived, step
 from flint import arb, fmpq
 from sympy import Basic, Eq, Expr, Integer, Integral, Symbol, Tuple, cos, pi, sin, sqrt
+from sympy_statements import AtMostOne, ExactlyOne, Rounds, TheRoot
 
-from tresym.ledger.claim import Claim, Definition, Monotone, Printed, Root
+from tresym.ledger.claim import (
+    Claim,
+    Definition,
+    Monotone,
+    Printed,
+    Root,
+)
 from tresym.ledger.evidence import printed_numbers as checker
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.printed_numbers import judge_printed, number_of
 from tresym.ledger.finding import Finding
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import differentiating_integral
-from tresym.ledger.statements import AtMostOne, ExactlyOne, Rounds, TheRoot
 from tresym.reals.language import expression
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, printed

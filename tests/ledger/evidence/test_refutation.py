@@ -3,13 +3,16 @@
 from derivations import by
 from flint import fmpq
 from sympy import Equivalent, Symbol, Tuple, sqrt
+from sympy_statements import ExactlyOne, Under, equal
 
-from tresym.ledger.claim import Claim, equal
+from tresym.ledger.claim import (
+    Claim,
+)
 from tresym.ledger.evidence.at_point import place_of
 from tresym.ledger.evidence.refutation import Denied, denied_at, denied_somewhere, not_denied
+from tresym.ledger.formulas import in_trees
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import roots
-from tresym.ledger.statements import ExactlyOne, Under
 from tresym.reals.verdict import Verdict
 
 x, y = (Symbol(name, real=True) for name in "xy")
@@ -41,12 +44,17 @@ def test_a_denial_needs_a_claim_and_a_case() -> None:
 
 def test_a_point_denies_the_part_that_fails_after_what_holds_there() -> None:
     over = Under(x > 3, Tuple(equal(x, 1)))
-    assert denied_at(over, HERE) == ((equal(x, 1),), x > 3)
-    assert denied_at(Tuple(x > 0, over), HERE) == ((equal(x, 1),), x > 3)
-    assert denied_at(Equivalent(x > 0, x > 3), HERE) == ((x > 0,), x > 3)
-    assert denied_at(Equivalent(x > 3, x > 0), HERE) == ((x > 0,), x > 3)
+    one, above, positive = map(in_trees, (equal(x, 1), x > 3, x > 0))
+    found = {
+        over: ((one,), above),
+        Tuple(x > 0, over): ((one,), above),
+        Equivalent(x > 0, x > 3): ((positive,), above),
+        Equivalent(x > 3, x > 0): ((positive,), above),
+    }
+    for says, expected in found.items():
+        assert denied_at(in_trees(says), HERE) == expected
     for held in (x > 0, Under(x > 3, Tuple(x > 2)), Equivalent(x > 3, x > 4), Tuple()):
-        assert denied_at(held, HERE) is None
+        assert denied_at(in_trees(held), HERE) is None
 
 
 def test_what_is_denied_is_a_formula_where_all_its_conditions_hold() -> None:

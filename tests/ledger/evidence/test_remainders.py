@@ -6,7 +6,9 @@ from typing import Any
 import pytest
 from sympy import Abs, Eq, Function, Symbol
 
-from tresym.ledger.claim import Claim
+from tresym.ledger.claim import (
+    Claim,
+)
 from tresym.ledger.conversion import conditions
 from tresym.ledger.evidence.allowed_evidence import is_formal
 from tresym.ledger.evidence.chart_bounds import Charted, On, Shown

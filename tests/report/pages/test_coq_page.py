@@ -9,7 +9,13 @@ from tresym.coq import export
 from tresym.coq.coqtop import prelude
 from tresym.coq.ledger_statements import Joint
 from tresym.coq.statement import Theorem
-from tresym.ledger.claim import AllOf, Dominated, Follows, InfimumBy, RootMonotone
+from tresym.ledger.claim import (
+    AllOf,
+    Dominated,
+    Follows,
+    InfimumBy,
+    RootMonotone,
+)
 from tresym.ledger.finding import Finding
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import Row, verify

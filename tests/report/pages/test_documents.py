@@ -10,7 +10,9 @@ from pathlib import Path
 import pytest
 from sympy import Rational
 
-from tresym.ledger.claim import Fault
+from tresym.ledger.claim import (
+    Fault,
+)
 from tresym.ledger.paper import all_claims, racket
 from tresym.ledger.paper import corrections as all_corrections
 from tresym.ledger.verification import Report, verify

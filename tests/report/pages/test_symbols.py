@@ -6,8 +6,11 @@ from collections.abc import Callable
 import pytest
 from derivations import by
 from sympy import Symbol
+from sympy_statements import equal
 
-from tresym.ledger.claim import Claim, equal
+from tresym.ledger.claim import (
+    Claim,
+)
 from tresym.ledger.definitions import table
 from tresym.ledger.finding import Premise
 from tresym.ledger.paper import all_claims

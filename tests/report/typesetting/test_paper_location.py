@@ -2,8 +2,12 @@
 
 import pytest
 from derivations import by
+from sympy_statements import equal
 
-from tresym.ledger.claim import Claim, Place, equal
+from tresym.ledger.claim import (
+    Claim,
+    Place,
+)
 from tresym.ledger.paper import all_claims, index
 from tresym.report.typesetting.paper_location import place_text
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from derivations import by
 from sympy import Symbol
+from sympy_statements import equal
 
 import tresym
 from tresym.commands.verify import show_verification
@@ -17,7 +18,6 @@ from tresym.ledger.claim import (
     AllOf,
     Claim,
     all_of,
-    equal,
 )
 from tresym.ledger.paper import all_claims
 from tresym.ledger.verification import Report

@@ -35,7 +35,9 @@ from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.sign_prover import manifest_sign
 from tresym.ledger.paper import all_claims
 from tresym.reals.decisions.identity import decide
+from tresym.reals.language.binders import worked_out
 from tresym.reals.language.expression import symbols
+from tresym.reals.language.formula import Relation
 from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.numbers.exact import InputError
 from tresym.reals.verdict import Verdict
@@ -103,7 +105,7 @@ def _chains(claim: Claim) -> Iterator[tuple[Any, Chain, tuple[Claim, ...]]]:
     if not isinstance(proof, Decided):
         return
     for says, chain in zip_longest(claim.parts, proof.steps, fillvalue=()):
-        if isinstance(says, sympy.Eq) and not says.has(sympy.MatrixBase):
+        if isinstance(says, Relation) and says.sign == "==":
             yield says, chain or (Step(None, ()),), proof.put
 
 
@@ -111,8 +113,8 @@ def _expressions(says: Any, chain: Chain, put: tuple[Claim, ...]) -> list[Any]:
     """The expressions of a chain, with the definitions that it uses substituted."""
     named = (claim for link in chain for reason in link.reasons for claim in reason.claims)
     rules = rules_of([*put, *named])
-    links = [says.rhs if link.expression is None else link.expression for link in chain]
-    return [put_in(e, rules).doit(integrals=False) for e in (says.lhs, *links)]
+    links = [says.right if link.expression is None else link.expression for link in chain]
+    return [to_sympy(worked_out(put_in(e, rules))) for e in (says.left, *links)]
 
 
 def _variant(name: str, left: Any, right: Any, given: Any) -> Iterator[Identity]:

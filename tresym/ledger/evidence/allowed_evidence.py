@@ -10,11 +10,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 from flint import arb
-from sympy import Abs, Basic, Integer, Le, Rational, Symbol
-from sympy.core.function import AppliedUndef
-from sympy.core.relational import Equality, Relational
 
 from tresym.ledger.claim import (
     AllOf,
@@ -35,8 +34,8 @@ from tresym.ledger.claim import (
     RootBound,
     RootMonotone,
 )
-from tresym.ledger.conversion import conditions, tree
-from tresym.ledger.evidence.asymptotics import Asymptotics
+from tresym.ledger.conversion import conditions
+from tresym.ledger.evidence.asymptotics import Asymptotics, solved_for_order
 from tresym.ledger.evidence.box_bounds import Boxes
 from tresym.ledger.evidence.chart_bounds import Charted
 from tresym.ledger.evidence.decided import Decided
@@ -51,11 +50,20 @@ from tresym.ledger.evidence.remainders import (
     untied,
 )
 from tresym.ledger.evidence.sign_prover import is_manifest
-from tresym.ledger.statements import As, Rounds
+from tresym.ledger.formulas import Rounded, Tending, in_order, in_trees, mapped, names_of
 from tresym.reals.domain.binder_values import enclosed
 from tresym.reals.domain.evaluation import stands
-from tresym.reals.language.expression import ZERO, number, substitute, symbols
+from tresym.reals.language.expression import (
+    ZERO,
+    Expr,
+    number,
+    replaced,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.formula import Relation
+from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.arithmetic import ball_precision
 
 BITS = 400
@@ -104,9 +112,9 @@ class Meant:
         remainder: how the printed order is interpreted, and which symbol tends to 0.
     """
 
-    samples: Callable[[], Iterable[tuple[tuple[arb, ...], Mapping[Basic, arb]]]]
-    gauge: Basic
-    coordinates: tuple[Basic, ...]
+    samples: Callable[[], Iterable[tuple[tuple[arb, ...], Mapping[Any, arb]]]]
+    gauge: Any
+    coordinates: tuple[Any, ...]
     remainder: Remainder
 
 
@@ -117,11 +125,11 @@ def is_formal(claim: Claim) -> bool:
     sample points only.
     """
     if isinstance(claim.proof, AllOf):
-        if isinstance(claim.says, Basic):
+        if not isinstance(claim.says, str):
             return True
         return not claim.proof.words and all(map(is_formal, claim.proof.claims))
-    stated = isinstance(claim.says, As)
-    if isinstance(claim.says, Basic) and is_open(claim.says) and not (stated or as_printed(claim)):
+    stated = isinstance(claim.says, str | Tending)
+    if not stated and is_open(claim.says) and not as_printed(claim):
         return False
     return claim.statement is not None and not isinstance(claim.proof, HOLDS_FUNCTIONS)
 
@@ -134,7 +142,7 @@ def unfit(claim: Claim) -> str | None:
     proof, says = claim.proof, claim.says
     in_words = isinstance(says, str)
     match proof:
-        case _ if type(proof) not in KINDS or not (in_words or isinstance(says, Basic)):
+        case _ if type(proof) not in KINDS:
             return f"{type(proof).__name__} is not a supported type of evidence for this statement"
         case _ if (odd := _odd_condition(claim)) is not None:
             return f"{odd} is not a condition such as a > 0"
@@ -164,8 +172,8 @@ def unfit(claim: Claim) -> str | None:
 
 
 def _odd_condition(claim: Claim) -> object | None:
-    """Return the first condition that is neither a relation nor a `Rounds`, or None."""
-    odd = (c for c in (*claim.given,) if not isinstance(c, Relational | Rounds))
+    """Return the first condition that is neither a relation nor a printed number, or None."""
+    odd = (c for c in (*claim.given,) if not isinstance(c, Relation | Rounded))
     return next(odd, None)
 
 
@@ -181,52 +189,53 @@ def _other_meaning(claim: Claim, proof: Boxes) -> str | None:
     The formula's remainder divided by the gauge is compared with the margins at sample points.
     """
     says, meant = claim.says, proof.meant
-    if meant is None or not isinstance(says, Equality):
+    if meant is None or not isinstance(says, Relation) or says.sign != "==":
         return UNRELATED
     if claim.means is not None and not _is_stated(claim.means, proof):
         return "the stated bound differs from the bound that the boxes prove"
-    orders = {*says.atoms(AppliedUndef)}
-    rest, gap = says.args[0] - says.args[1], _gauge_gap(says, orders, meant.gauge)
-    gap = gap or _elsewhere(claim, proof, meant)
+    order, gauge = solved_for_order(says), in_trees(meant.gauge)
+    if order is None or order.relation != "O":
+        return "bounds on boxes show an equation with exactly one order, O(…)"
+    factor = in_lowest_terms(gauge / order.right)
+    if symbols(factor) & symbols(order.right):
+        return "the gauge of the evidence is not a multiple of the order in the formula"
+    gap = _elsewhere(claim, proof, meant, order.right)
     if gap is not None:
         return gap
-    plain = rest.xreplace(dict.fromkeys(orders, Integer(0)))
     if len(proof.bounds) != 2:
         return "an order needs two bounds, from above and from below"
     with ball_precision(BITS):
         samples = list(meant.samples())
     for at, known in samples:
         with ball_precision(BITS):
-            names = {e: Symbol(f"[{e}]", real=True) for e in known if not isinstance(e, Symbol)}
-            point = {names.get(e, e): ball for e, ball in known.items()}
-            spoken_of = (e.xreplace(names) for e in (plain, meant.gauge, *claim.given))
-            if any(not e.free_symbols <= {*point} for e in spoken_of):
+            named = {in_trees(e): ball for e, ball in known.items()}
+            names = {e: symbol(f"[{e}]") for e in named if e.op != "symbol"}
+            point = {str(names.get(e, e)): ball for e, ball in named.items()}
+            put = partial(replaced, known=names)
+            plain, size, *given = (mapped(e, put) for e in (order.left, gauge, *claim.given))
+            if not names_of(plain, size, *given) <= {*point}:
                 return "a symbol of the formula has no value at a sample point of the evidence"
-            if not all(_met(condition.xreplace(names), point) for condition in claim.given):
+            if not all(_met(condition, point) for condition in given):
                 return "the conditions do not hold at a sample point of the evidence"
-            remainder = _at(plain.xreplace(names), point) / _at(meant.gauge, point)
+            remainder = enclosed(plain, point) / enclosed(size, point)
             if not _is_bounded(proof, at, remainder):
                 return "at a sample point, the bounds do not bound the remainder of the formula"
     return None if samples else UNRELATED
 
 
-def _is_stated(means: Basic, proof: Boxes) -> bool:
+def _is_stated(means: Any, proof: Boxes) -> bool:
     """Return whether ``means`` states |…| ≤ constant · gauge, with those of the box proof."""
-    if proof.constant is None or not isinstance(means, Le):
+    if proof.constant is None or not isinstance(means, Relation) or means.sign != "<=":
         return False
-    constant = Rational(int(proof.constant.p), int(proof.constant.q))
-    return bool(means.rhs == constant * proof.meant.gauge and isinstance(means.lhs, Abs))
+    bound = in_order(number(proof.constant) * in_trees(proof.meant.gauge))
+    return means.right == bound and means.left.op == "abs"
 
 
-def _elsewhere(claim: Claim, proof: Boxes, meant: Meant) -> str | None:
+def _elsewhere(claim: Claim, proof: Boxes, meant: Meant, order: Expr) -> str | None:
     """Return why the boxes do not contain the region or the limit point, or None if they do."""
-    assert isinstance(claim.says, Basic)
-    given, x = conditions(claim.given), meant.remainder.tends.name
-    coordinates = tuple(map(tree, meant.coordinates))
-    orders = [node.args[0] for node in claim.says.atoms(AppliedUndef)] or [meant.gauge]
-    tends = meant.remainder.tends
-    why = next(filter(None, (unfit_to_tend(tends, e, claim.says) for e in orders)), None)
-    why = why or unreached(x, given, both=True)
+    given, x = conditions(claim.given), str(meant.remainder.tends)
+    coordinates = tuple(map(in_trees, meant.coordinates))
+    why = unfit_to_tend(x, order, claim.says) or unreached(x, given, both=True)
     if why is not None:
         return why
     near = tuple(c for c in given if x not in symbols(c.left) | symbols(c.right))
@@ -249,31 +258,11 @@ def _elsewhere(claim: Claim, proof: Boxes, meant: Meant) -> str | None:
     return None
 
 
-def _gauge_gap(says: Basic, orders: set[Basic], gauge: Basic) -> str | None:
-    """Return why the gauge is not a multiple of the order in the formula, or None if it is.
-
-    The factor may depend on symbols that do not occur in the order; they are fixed in the limit.
-    """
-    if [str(node.func) for node in orders] != ["O"]:
-        return "bounds on boxes show an equation with exactly one order, O(…)"
-    (node,) = orders
-    stand_in = Symbol("[order]", real=True)
-    rest = (says.args[0] - says.args[1]).xreplace({node: stand_in})
-    if (gauge / (node.args[0] * rest.diff(stand_in))).free_symbols & node.args[0].free_symbols:
-        return "the gauge of the evidence is not a multiple of the order in the formula"
-    return None
-
-
-def _met(condition: Basic, point: Mapping[Symbol, arb]) -> bool:
+def _met(condition: Any, point: Mapping[str, arb]) -> bool:
     """Return whether balls confirm the condition at the point."""
-    if not isinstance(condition, Relational):
+    if not isinstance(condition, Relation):
         return False
-    return stands(_at(condition.lhs - condition.rhs, point), condition.rel_op)
-
-
-def _at(e: Basic, point: Mapping[Symbol, arb]) -> arb:
-    """Return a ball for ``e`` at the point."""
-    return enclosed(tree(e), {symbol.name: value for symbol, value in point.items()})
+    return stands(enclosed(condition.left - condition.right, point), condition.sign)
 
 
 def _is_bounded(proof: Boxes, at: tuple[arb, ...], remainder: arb) -> bool:

@@ -13,19 +13,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, NamedTuple
-
-from sympy import Eq, Symbol
-from sympy.core.function import AppliedUndef
+from typing import Any, ClassVar
 
 from tresym.asymptotics.order_claims import decide_order
 from tresym.ledger.claim import Claim, Root
 from tresym.ledger.conversion import conditions, defined, definitions
 from tresym.ledger.finding import Finding, Ruling
-from tresym.ledger.formulas import SIDES as SIDES
-from tresym.ledger.formulas import Tending, in_trees, is_equation, names_of
+from tresym.ledger.formulas import Tending, in_order, in_trees, is_equation, names_of
 from tresym.reals.expansions.leading_terms import sign_towards
-from tresym.reals.language.binders import ordered as in_order
 from tresym.reals.language.binders import outermost, worked_out
 from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.comparisons import Comparison
@@ -44,6 +39,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import Relation
+from tresym.reals.language.like_terms import collected
 from tresym.reals.language.paths import Path
 from tresym.reals.numbers.exact import parse_number
 from tresym.reals.signs.interior import PROVING
@@ -120,9 +116,13 @@ def solved_for_order(says: Any) -> Comparison | None:
         return None
     mark = symbol("[order]")
     gap = replaced(says.left, {node: mark}) - replaced(says.right, {node: mark})
-    factor = -differentiate(gap, "[order]")
-    if _has_order(gap) or "[order]" in symbols(factor) or factor == ZERO:
+    inner = {e: symbol(f"[{n}]") for n, e in enumerate(dict.fromkeys(outermost(gap)))}
+    if _has_order(gap) or any("[order]" in symbols(e) for e in inner):
         return None
+    factor = collected(-differentiate(replaced(gap, inner), "[order]"))
+    if "[order]" in symbols(factor) or factor == ZERO:
+        return None
+    factor = substitute(factor, {str(name): e for e, name in inner.items()})
     return Comparison(substitute(gap, {"[order]": ZERO}), node.op, node.args[0] * factor)
 
 
@@ -295,29 +295,3 @@ def _sign(e: Expr) -> int | None:
         raise NotAlongError(UNASSIGNED)
     found = sign_towards(e, PARAMETER, ZERO, 1)
     return None if found is None else found[0]
-
-
-# For the modules that hold statements of SymPy
-
-t = Symbol("t", real=True)
-
-
-class Ordered(NamedTuple):
-    """The statement that ``difference`` is O(``gauge``) or o(``gauge``), as ``kind`` says."""
-
-    difference: Any
-    kind: str
-    gauge: Any
-
-
-def ordered(says: Any) -> Ordered | None:
-    """Solve an equation of SymPy for its only O(…) or o(…)."""
-    orders = [node for node in says.atoms(AppliedUndef) if str(node.func) in ("O", "o")]
-    if not isinstance(says, Eq) or len(orders) != 1 or len(orders[0].args) != 1:
-        return None
-    (node,), stand_in = orders, Symbol("[order]", real=True)
-    rest = (says.lhs - says.rhs).xreplace({node: stand_in})
-    factor = -rest.diff(stand_in)
-    if stand_in in factor.free_symbols or factor == 0:
-        return None
-    return Ordered(rest.xreplace({stand_in: 0}), str(node.func), node.args[0] * factor)

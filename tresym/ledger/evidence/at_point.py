@@ -10,10 +10,10 @@ from flint import arb, fmpq
 
 from tresym.ledger.claim import Claim, Root
 from tresym.ledger.conversion import DEFINING, Conditions, conditions, definitions
-from tresym.ledger.formulas import in_trees
+from tresym.ledger.formulas import in_order, in_trees
 from tresym.reals.domain.binder_values import At, bracketed, enclosing, value, value_or_nan
 from tresym.reals.domain.evaluation import UndefinedError, stands
-from tresym.reals.language.binders import ordered, root
+from tresym.reals.language.binders import root
 from tresym.reals.language.compound import Count
 from tresym.reals.language.expression import Expr, symbol
 from tresym.reals.language.formula import names
@@ -74,7 +74,7 @@ class Place(dict[str, arb]):
 
     def _is_one(self, node: Expr, at: At) -> bool:
         """Return whether a claim guarantees that the root is unique at the values ``at``."""
-        rule = self.roots.get(ordered(node))
+        rule = self.roots.get(in_order(node))
         differences = ((c.left - c.right, c.sign) for c in rule.given) if rule else ()
         return rule is not None and all(
             stands(value(e, at, self._is_one), sign) for e, sign in differences
@@ -110,7 +110,7 @@ def rules_by(claims: Iterable[Claim]) -> Rules:
 
 def roots_by(claims: Iterable[Claim]) -> dict[Expr, Rule]:
     """Return rules for the roots that the claims prove to be unique."""
-    return {ordered(node): Rule(node, given, used) for node, given, used in roots_of(claims)}
+    return {in_order(node): Rule(node, given, used) for node, given, used in roots_of(claims)}
 
 
 def one_root(unique: Claim) -> tuple[str, Expr] | None:

@@ -32,22 +32,30 @@ from tresym.ledger.conversion import (
     REMEMBERED,
     Conditions,
     Rules,
-    conditions,
     known,
     put_in,
 )
 from tresym.ledger.evidence.box_bounds import Boxes, closed, decimal, decisions_of
 from tresym.ledger.evidence.integrals import NotShownError, with_bounds
 from tresym.ledger.evidence.premises import instantiated, unmet_condition
-from tresym.ledger.evidence.sign_prover import is_manifest, undefined
+from tresym.ledger.evidence.sign_prover import is_manifest, undefined, with_single_powers
 from tresym.ledger.finding import Finding
-from tresym.ledger.formulas import Condition, in_trees, mapped, parts_of, relations_of
+from tresym.ledger.formulas import Condition, in_order, in_trees, mapped, parts_of, relations_of
 from tresym.ledger.reasons import citing
 from tresym.reals.balls.branch_and_bound import Bound, Box, BoxProof
 from tresym.reals.balls.tracing import Named, Part, Program, traced
 from tresym.reals.decisions.identity import decide_continuous
-from tresym.reals.language.binders import elementary, ordered
-from tresym.reals.language.expression import LEAVES, ONE, ZERO, Expr, number, rebuild
+from tresym.reals.domain.operation_domains import operations
+from tresym.reals.language.binders import elementary
+from tresym.reals.language.expression import (
+    LEAVES,
+    ONE,
+    ZERO,
+    Expr,
+    number,
+    replaced,
+    symbols,
+)
 from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision, balls
 from tresym.reals.numbers.exact import InputError
@@ -195,12 +203,16 @@ def _claims(readings: tuple[Reading, ...]) -> Iterator[Claim]:
 
 def _tree(e: Any) -> Expr:
     """Return an expression of the evidence with its terms and factors in one order."""
-    return ordered(in_trees(e))
+    return in_order(in_trees(e))
 
 
 def _conditions(given: tuple[Condition, ...]) -> Conditions:
     """Return conditions in the same order of terms and factors, so that they can be compared."""
-    return tuple(mapped(condition, ordered) for condition in conditions(given))
+    found = tuple(r for c in given for r in relations_of(in_trees(c)))
+    odd = next((r for r in found if r.sign == "=="), None)
+    if odd is not None:
+        raise InputError(f"{odd} is not an inequality such as a > 0, as a condition must be")
+    return tuple(mapped(relation, in_order) for relation in found)
 
 
 def judge_charted(claim: Claim, proof: Charted) -> Finding:
@@ -338,7 +350,7 @@ class _Place:
         if not _divides_somewhere(program, self.on.box):
             return "could not show that the divisors in the margin are not identically zero"
         margin = program.meaning(self.coordinates, self.step)
-        return _different(side, put_in(over * margin + spare, self.rules), self.given)
+        return _different(side, _put_in(over * margin + spare, self.rules, self.given), self.given)
 
     def step(self, op: Any, args: tuple[Expr, ...], body: Callable[[], Expr] | None = None) -> Expr:
         """Return the meaning of a named step at these arguments."""
@@ -416,14 +428,13 @@ def _unread(reading: Reading) -> str | None:
         found = program.meaning(
             at, lambda op, args, body=None: _meaning(op, args, body, reading.inner, given)
         )
-        found = _with_single_powers(found, given)  # as claims are written
-        return _different(put_in(found, rules), put_in(value, rules), meant)
+        found = with_single_powers(found, given)  # as claims are written
+        return _different(_put_in(found, rules, meant), _put_in(value, rules, meant), meant)
     step = reading.step
     if step.meaning is not None:
         rules, meant = instantiated(reading.claims, given)
-        return _different(
-            put_in(_meaning(step, at, None, (), given), rules), put_in(value, rules), meant
-        )
+        found = _meaning(step, at, None, (), given)
+        return _different(_put_in(found, rules, meant), _put_in(value, rules, meant), meant)
     if step.image is None or step.between is None:
         return "the step of the reading is neither a formula nor a root"
     low, high = step.between
@@ -446,17 +457,20 @@ def _unread(reading: Reading) -> str | None:
     return f"no claim states that {value} is the root"
 
 
-def _with_single_powers(e: Expr, given: Conditions) -> Expr:
-    """Return the expression with 1/√x and such as one power of x, where it is shown to exist."""
-    if e.op in LEAVES or e.names:
-        return e
-    e = rebuild(e, tuple(_with_single_powers(arg, given) for arg in e.args))
-    inner = e.args[0] if e.op == "^" else e
-    if e.op != "^" or inner.op != "^" or {e.args[1].op, inner.args[1].op} != {"number"}:
-        return e
-    positive = is_manifest(Relation(inner.args[0], ">", ZERO), given)
-    exponent = number(e.args[1].args[0] * inner.args[1].args[0])
-    return inner.args[0] ** exponent if positive else e
+def _put_in(e: Expr, rules: Rules, given: Conditions) -> Expr:
+    """Substitute rules, those for parts of ``e`` too that are equal to a left side.
+
+    Example: that atan(√(b/a)) is y gives a meaning to atan(1/√(a/b)), where a and b are positive.
+    """
+    whole = [left for left in rules if left.op not in LEAVES]
+    alike = {
+        node: left
+        for node in operations((e,) if whole else ())
+        for left in whole
+        if node.op == left.op and symbols(node) == symbols(left) and not node.loose
+        if _same(node, left, given)
+    }
+    return put_in(replaced(e, alike), rules)
 
 
 @lru_cache(maxsize=REMEMBERED)

@@ -26,26 +26,21 @@ from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 from flint import fmpq
-from sympy import Basic, Eq, Equivalent, Rational, S, Symbol, Tuple, oo
-from sympy import Expr as Expression
-from sympy.core.relational import Relational
 
 from tresym.checking.compound_claims import decide_compound
 from tresym.checking.dispatch import decide_claim
-from tresym.ledger.claim import Chain, Claim, Definition, Reason, Step, parts_of
+from tresym.ledger.claim import Chain, Claim, Definition, Reason, Step
 from tresym.ledger.conversion import (
     Conditions,
     Rules,
     conditions,
-    conjuncts,
     defined,
-    formula,
     known,
     put_in,
     put_into,
     tree,
 )
-from tresym.ledger.evidence.asymptotics import SIDES, ordered
+from tresym.ledger.evidence.asymptotics import solved_for_order
 from tresym.ledger.evidence.box_bounds import decimal
 from tresym.ledger.evidence.integrals import (
     RULES,
@@ -61,22 +56,33 @@ from tresym.ledger.evidence.premises import instantiated
 from tresym.ledger.evidence.sign_prover import is_manifest, undefined
 from tresym.ledger.evidence.whole_statements import bound_by, whole_claim
 from tresym.ledger.finding import WEAKEST_FIRST, Finding, Ruling, StepFinding
+from tresym.ledger.formulas import (
+    EqualMatrices,
+    Says,
+    Tending,
+    in_order,
+    in_trees,
+    names_of,
+    parts_of,
+    relations_of,
+)
 from tresym.ledger.reasons import citing
 from tresym.ledger.refutations import need_possible
-from tresym.ledger.statements import As
 from tresym.reals.decisions.answer import Answer
 from tresym.reals.decisions.claim_parsing import stated
 from tresym.reals.decisions.cleared_factors import with_split_roots
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.binders import generalised, outermost, worked_out
 from tresym.reals.language.claims import Written
-from tresym.reals.language.compound import comparisons_of, leaves
+from tresym.reals.language.compound import Equivalent, comparisons_of, leaves
 from tresym.reals.language.expression import (
     LEAVES,
+    ONE,
     ZERO,
     Expr,
     instantiate,
     multiply,
+    number,
     rebuild,
     replaced,
     substitute,
@@ -85,12 +91,10 @@ from tresym.reals.language.expression import (
 )
 from tresym.reals.language.formula import Compared, Relation
 from tresym.reals.language.like_terms import collected
-from tresym.reals.language.paths import Path
 from tresym.reals.normal.to_expression import in_lowest_terms
 from tresym.reals.numbers.exact import parse_number
 from tresym.reals.verdict import Verdict
 
-_INFINITE = (oo, -oo)
 ORDERINGS = ("<", "<=", ">", ">=")
 
 
@@ -110,9 +114,9 @@ class InVariables:
         ``InVariables({r: sqrt(b/a)}, {a: b/r**2}, (r > 0,))``
     """
 
-    values: Mapping[Symbol, Expression]
-    old: Mapping[Symbol, Expression]
-    where: tuple[Basic, ...] = ()
+    values: Mapping[Any, Any]
+    old: Mapping[Any, Any]
+    where: tuple[Any, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -138,7 +142,7 @@ class Decided:
     cited: tuple[Claim, ...] = ()
     variables: InVariables | None = None
     constant: fmpq | None = None
-    gauge: Expression = S.One
+    gauge: Any = ONE
     remainder: Any = None
     also: tuple[Claim, ...] = field(default=())
     steps: tuple[Chain, ...] = ()
@@ -174,26 +178,26 @@ def judge_decided(claim: Claim, proof: Decided) -> Finding:
         NotShownError: the statement is of another kind, or what it needs besides could not be
             shown.
     """
-    says = claim.statement
+    says = in_trees(claim.statement)
     need(says is not None, "the claim states no formula")
     need_possible(claim)
     given = with_bounds(conditions(claim.given), (citing(*proof.cited),))
     rules, meant = instantiated(proof.put, given)
     here = put_into(given, rules)
-    if isinstance(says, As):
+    if isinstance(says, Tending):
         return _order(claim, proof, says, rules, here)
     if proof.steps:
         by_steps = _by_steps(claim, proof, says, given)
         whole = None if by_steps.verdict.holds else judge_decided(claim, replace(proof, steps=()))
         return whole if whole is not None and whole.verdict is Verdict.REFUTED else by_steps
-    if not all(isinstance(part, Relational) for part in parts_of(says)):
+    if not all(isinstance(part, Relation | EqualMatrices) for part in parts_of(says)):
         return _whole(claim, proof, says, rules, meant)
     relations = list(_relations(says, rules, meant))
     need(bool(relations), "the statement contains no relation")
     if proof.constant is not None:
-        size = tree(Rational(int(proof.constant.p), int(proof.constant.q)) * proof.gauge)
-        sides = (side for part in parts_of(says) for side in map(tree, part.args))
-        need(size in sides, f"the statement contains no bound {size}")
+        size = in_order(number(proof.constant) * in_trees(proof.gauge))
+        sides = (side for part in relations for side in (part.left, part.right))
+        need(size in map(in_order, sides), f"the statement contains no bound {size}")
     if proof.variables is not None:
         relations, here = _in_variables(relations, proof.variables, given, here)
     asked: tuple[Compared, ...] = tuple((c.left, c.sign, c.right) for c in here)
@@ -204,7 +208,7 @@ def judge_decided(claim: Claim, proof: Decided) -> Finding:
     return _with_region(replace(found, constant=constant), claim) if found.verdict.holds else found
 
 
-def _whole(claim: Claim, proof: Decided, says: Basic, rules: Rules, given: Conditions) -> Finding:
+def _whole(claim: Claim, proof: Decided, says: Says, rules: Rules, given: Conditions) -> Finding:
     """Return what the engine finds on a statement that is not made of relations alone.
 
     Raises:
@@ -212,7 +216,7 @@ def _whole(claim: Claim, proof: Decided, says: Basic, rules: Rules, given: Condi
     """
     plain = proof.variables is None and proof.constant is None and not proof.steps
     need(plain, "such a statement has no other variables, no constant and no steps")
-    whole = whole_claim(says, lambda e: put_in(tree(e), rules), given)
+    whole = whole_claim(says, lambda e: put_in(e, rules), given)
     parts = list(leaves(whole.formula))
     links = [link for part in parts for link in (*comparisons_of(part), *part.given)]
     names = frozenset().union(*(symbols(side) for link in links for side in link[::2]))
@@ -227,7 +231,7 @@ def _whole(claim: Claim, proof: Decided, says: Basic, rules: Rules, given: Condi
     return _found([decide_compound(whole, decide_claim)], not open_ and proof.restricts_nothing)
 
 
-def _by_steps(claim: Claim, proof: Decided, says: Basic, given: Conditions) -> Finding:
+def _by_steps(claim: Claim, proof: Decided, says: Says, given: Conditions) -> Finding:
     """Return the finding on a derivation; a step that is false refutes nothing.
 
     Raises:
@@ -238,13 +242,13 @@ def _by_steps(claim: Claim, proof: Decided, says: Basic, given: Conditions) -> F
     answers = []
     need(len(parts) == len(proof.steps), "there must be one chain for each part of the statement")
     for part, chain in zip(parts, proof.steps, strict=True):
-        alike = isinstance(part, Equivalent) and len(part.args) == 2
-        need(isinstance(part, Relational) or alike, "only a relation is derived by steps")
-        left, last = part.args
-        if alike and chain[-1].expression == left:  # SymPy has an order of its own
+        alike = isinstance(part, Equivalent) and len(part.parts) == 2
+        need(isinstance(part, Relation) or alike, "only a relation is derived by steps")
+        left, last = part.parts if alike else (part.left, part.right)
+        if alike and in_trees(chain[-1].expression) == left:  # SymPy has an order of its own
             left, last = last, left
         for link in chain:
-            right = last if link.expression is None else link.expression
+            right = last if link.expression is None else in_trees(link.expression)
             named = tuple(c for r in link.reasons for c in r.claims if c in proof.put)
             rules, meant = instantiated(named if link.reasons else proof.put, given)
             asked = tuple((c.left, c.sign, c.right) for c in put_into(given, rules))
@@ -252,8 +256,9 @@ def _by_steps(claim: Claim, proof: Decided, says: Basic, given: Conditions) -> F
                 answers.append(_equivalent(left, right, rules, meant))
                 left = right
                 continue
-            here = part.func if link is chain[-1] else Eq
-            for r in _relations(here(left, right, evaluate=False), rules, meant):
+            need(isinstance(right, Expr), "the steps of a relation pass from one number to another")
+            sign = part.sign if link is chain[-1] else "=="
+            for r in _relations(Relation(left, sign, right), rules, meant):
                 ruled = any(reason.name in RULES for reason in link.reasons)
                 if ruled:
                     sides = without_integrals(r.left, r.right, link.reasons, meant)
@@ -271,10 +276,10 @@ def _with_region(found: Finding, claim: Claim) -> Finding:
     return replace(found, region=", ".join(map(str, claim.given)) or None)
 
 
-def _equivalent(first: Basic, second: Basic, rules: Rules, given: Conditions) -> Answer:
+def _equivalent(first: Says, second: Says, rules: Rules, given: Conditions) -> Answer:
     """Return what the engine finds on two equations that are said to be equivalent."""
-    both = Equivalent(first, second, evaluate=False)
-    return decide_compound(whole_claim(both, lambda e: put_in(tree(e), rules), given), decide_claim)
+    both = Equivalent((first, second))
+    return decide_compound(whole_claim(both, lambda e: put_in(e, rules), given), decide_claim)
 
 
 def _decided(
@@ -416,7 +421,7 @@ def _witness(answer: Answer) -> dict[str, fmpq] | None:
         return None
 
 
-def _relations(says: Basic, rules: Rules, given: Conditions) -> Iterator[Relation]:
+def _relations(says: Says, rules: Rules, given: Conditions) -> Iterator[Relation]:
     """Yield the relations of a statement with the rules put in; both sides are shown to be defined.
 
     It is enough that a side is as it is written: what is put in has the value of what it is put in
@@ -426,9 +431,9 @@ def _relations(says: Basic, rules: Rules, given: Conditions) -> Iterator[Relatio
         NotShownError: a part is no relation, or a side is not shown to be defined.
     """
     for part in parts_of(says):
-        for relation in conjuncts(formula(part)):
-            if not isinstance(relation, Relation):  # SymPy takes long to write a part
-                raise NotShownError(f"{part} is not a relation between numbers")
+        if not isinstance(part, Relation | EqualMatrices):
+            raise NotShownError(f"{part} is not a relation between numbers")
+        for relation in relations_of(part):
             left, right = (put_in(side, rules) for side in (relation.left, relation.right))
             for side, written in ((left, relation.left), (right, relation.right)):
                 gap = undefined(worked_out(side), given)
@@ -459,15 +464,15 @@ def _in_variables(
         NotShownError: the new variables occur already, an old one is not the stated function of
             them, or their values do not satisfy the conditions on them.
     """
-    values = {symbol.name: tree(e) for symbol, e in new.values.items()}
-    old = {symbol.name: tree(e) for symbol, e in new.old.items()}
+    values = {str(name): tree(e) for name, e in new.values.items()}
+    old = {str(name): tree(e) for name, e in new.old.items()}
     taken = _names(relations).union(*(symbols(c.left) | symbols(c.right) for c in (*given, *here)))
     need(not taken & {*values}, "a new variable occurs in the statement or its conditions")
     for name, e in old.items():
         need(not symbols(e) & {*old}, f"{name} is not expressed by the new variables")
         back = substitute(e, values)
         gap = undefined(back, given)
-        same = gap is None and decide_continuous(back, tree(Symbol(name, real=True)), known(given))
+        same = gap is None and decide_continuous(back, symbol(name), known(given))
         shown = bool(same) and same.verdict is Verdict.PROVED  # type: ignore[union-attr]
         need(shown, f"could not show that {name} is {e}")
     kept: Conditions = conditions(new.where)
@@ -514,27 +519,28 @@ def _is_rational(e: Expr) -> bool:
     return e.op in ("+", "*") and all(map(_is_rational, e.args))
 
 
-def _order(claim: Claim, proof: Decided, says: As, rules: Rules, given: Conditions) -> Finding:
+def _order(claim: Claim, proof: Decided, says: Tending, rules: Rules, given: Conditions) -> Finding:
     """Return what the engine finds on an order along a path.
 
     Raises:
         NotShownError: the statement is not an order, or a symbol in it is not unfolded.
     """
-    order = ordered(says.args[0])
+    order = solved_for_order(says.relation)
     need(order is not None, "the statement must be an equation with one order")
     need(proof.variables is None, "an order is decided in its own variables")
     assert order is not None
-    difference, gauge = (put_in(tree(e), rules) for e in (order.difference, order.gauge))
-    path = _path(says)
-    tending = symbols(path.expression or ZERO) | {path.name, *path.together}
+    difference, gauge = (put_in(e, rules) for e in (order.left, order.right))
+    path = says.path
+    tending = names_of(path)
     names = symbols(difference) | symbols(gauge)
     open_ = sorted((names | tending) & _open_symbols(claim, rules))
     need(not open_, f"{', '.join(open_)} is defined elsewhere, and its definition is not put in")
     parameters = bool(names - tending)
-    need(order.kind == "O" or not parameters, "an order o(…) with parameters is not shown uniform")
+    kind = order.relation
+    need(kind == "O" or not parameters, "an order o(…) with parameters is not shown uniform")
     asked: tuple[Compared, ...] = tuple((c.left, c.sign, c.right) for c in given)
     uniformly = parameters and path.expression is None and not path.together
-    link = (difference, "==", Expr(order.kind, (gauge,)))
+    link = (difference, "==", Expr(kind, (gauge,)))
     answer = decide_claim(stated((link,), asked, path, uniformly))
     found = replace(_found([answer], proof.restricts_nothing), parameter=str(path))
     if not found.verdict.holds:
@@ -548,19 +554,3 @@ def _order(claim: Claim, proof: Decided, says: As, rules: Rules, given: Conditio
         )
     constant = answer.constant
     return replace(found, constant=constant, region=answer.region if constant else None)
-
-
-def _path(says: As) -> Path:
-    """Return the path of an order."""
-    _, what, point, side = says.args
-    if isinstance(what, Tuple):
-        ends = point.args if isinstance(point, Tuple) else (point,)
-        need(int(side) == 0, "several variables tend to a point from all sides")
-        names = tuple(str(x) for x in what.args)
-        return Path("", ZERO, (1,), together=names, points=tuple(map(tree, ends)))
-    if isinstance(what, Symbol) and point in _INFINITE:
-        return Path(what.name, None, (1 if point == oo else -1,))
-    if isinstance(what, Symbol):
-        return Path(what.name, tree(point), SIDES[int(side)])
-    need(point == oo, "an expression is supported that tends to oo")
-    return Path("", None, (1,), expression=tree(what))

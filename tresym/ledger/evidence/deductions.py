@@ -22,23 +22,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import lru_cache
 from itertools import islice
+from typing import Any
 
 from flint import fmpq
-from sympy import (
-    Abs,
-    Basic,
-    Derivative,
-    Eq,
-    Integer,
-    Rational,
-    Subs,
-    Symbol,
-    Tuple,
-    oo,
-    simplify,
-    true,
-)
-from sympy.core.relational import Ge, Gt, Le, Lt, Relational
 
 from tresym.asymptotics.order_claims import decide_order
 from tresym.checking.dispatch import decide_claim
@@ -52,7 +38,6 @@ from tresym.ledger.claim import (
     Root,
     RootBound,
     RootMonotone,
-    parts_of,
 )
 from tresym.ledger.conversion import (
     REMEMBERED,
@@ -65,16 +50,27 @@ from tresym.ledger.conversion import (
     known,
     put_in,
     put_into,
-    tree,
 )
 from tresym.ledger.counterexamples import violation
-from tresym.ledger.evidence.asymptotics import SIDES, ordered
+from tresym.ledger.evidence.asymptotics import solved_for_order
 from tresym.ledger.evidence.at_point import place_of
 from tresym.ledger.evidence.decided import Decided, judge_decided
 from tresym.ledger.evidence.integrals import NotShownError, need, need_smooth, with_bounds
 from tresym.ledger.evidence.premises import instantiated
 from tresym.ledger.evidence.sign_prover import continuous_on, is_manifest, manifest_sign, undefined
 from tresym.ledger.finding import Finding, StepFinding
+from tresym.ledger.formulas import (
+    Condition,
+    Says,
+    Tending,
+    Under,
+    in_order,
+    in_trees,
+    is_bound,
+    is_equation,
+    names_of,
+    parts_of,
+)
 from tresym.ledger.judged_roots import without
 from tresym.ledger.reasons import citing
 from tresym.ledger.refutations import (
@@ -85,29 +81,33 @@ from tresym.ledger.refutations import (
     need_all,
     need_possible,
 )
-from tresym.ledger.statements import (
-    As,
-    ExactlyOne,
-    Infimum,
-    StrictlyDecreasing,
-    StrictlyIncreasing,
-    Under,
-)
 from tresym.reals.decisions.claim_parsing import stated
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary, worked_out
+from tresym.reals.language.calls import INFINITY
 from tresym.reals.language.comparisons import Comparison
+from tresym.reals.language.compound import Count, Shape, Together
 from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.expression import ONE, ZERO, Expr, substitute, symbol, symbols
+from tresym.reals.language.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    instantiate,
+    number,
+    substitute,
+    symbol,
+    symbols,
+)
 from tresym.reals.language.formula import Relation
+from tresym.reals.language.like_terms import collected
+from tresym.reals.language.named_claims import Extremum
 from tresym.reals.language.paths import Path
-from tresym.reals.language.to_sympy import to_sympy
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import InputError, fraction_text
 from tresym.reals.verdict import Verdict
 
-RISES = {StrictlyIncreasing: 1, StrictlyDecreasing: -1}
+RISES = {"increasing": 1, "decreasing": -1}
 FLIPPED = {">": "<", "<": ">", ">=": "<=", "<=": ">="}
 BITS, PAIRS = 200, 24
 NEAR = tuple(10**n for n in range(1, 7))
@@ -117,21 +117,44 @@ NEAR = tuple(10**n for n in range(1, 7))
 # A part of a cited claim
 
 
-def parts_under(says: Basic, given: tuple[Basic, ...]) -> Iterator[tuple[Basic, tuple[Basic, ...]]]:
+def parts_under(
+    says: Any, given: Iterable[Any] = ()
+) -> Iterator[tuple[Says, tuple[Condition, ...]]]:
     """Yield the parts of a statement, each with all of its conditions."""
-    for part in parts_of(says):
+    conditions_ = tuple(map(in_trees, given))
+    for part in parts_of(in_trees(says)):
         if isinstance(part, Under):
-            yield from parts_under(part.args[0], (*given, *part.args[1].args))
-        elif isinstance(part, Tuple):
-            yield from parts_under(part, given)
+            yield from parts_under(part.formula, (*conditions_, *part.given))
+        elif isinstance(part, Together):
+            yield from parts_under(part, conditions_)
         else:
-            yield part, given
+            yield part, conditions_
 
 
-def _parts_of(claim: Claim) -> Iterator[tuple[Basic, tuple[Basic, ...]]]:
+def _parts_of(claim: Claim) -> Iterator[tuple[Says, tuple[Condition, ...]]]:
     """Yield the parts of a claim's statement with their conditions; none if it has no formula."""
     if claim.statement is not None:
         yield from parts_under(claim.statement, claim.given)
+
+
+def _says(claim: Claim) -> Any:
+    """Return what a claim states; None if it has no formula."""
+    return None if claim.statement is None else in_trees(claim.statement)
+
+
+def _given(claim: Claim) -> tuple[Any, ...]:
+    """Return the conditions of a claim, equations included."""
+    return tuple(map(in_trees, claim.given))
+
+
+def _equations(given: Iterable[Condition]) -> tuple[Relation, ...]:
+    """Return the equations among conditions."""
+    return tuple(c for c in given if isinstance(c, Relation) and c.sign == "==")
+
+
+def _is_ordering(says: Any) -> bool:
+    """Return whether a statement is an inequality that orders its sides."""
+    return is_bound(says) and says.sign != "!="
 
 
 def cited(claim: Claim, claims: Iterable[Claim]) -> Finding | None:
@@ -145,7 +168,7 @@ def cited(claim: Claim, claims: Iterable[Claim]) -> Finding | None:
     Raises:
         NotShownError: a part is none of a claim, or a condition could not be shown.
     """
-    says = claim.statement
+    says = _says(claim)
     if says is None:
         return None
     known = [pair for c in claims for pair in _parts_of(c)]
@@ -160,16 +183,15 @@ def cited(claim: Claim, claims: Iterable[Claim]) -> Finding | None:
     return Finding(PROVED, "each part is one of a claim named")
 
 
-def _implied(asked: tuple[Basic, ...], given: tuple[Basic, ...]) -> bool:
+def _implied(asked: tuple[Condition, ...], given: tuple[Condition, ...]) -> bool:
     """Return whether each condition asked for is given, or follows by its sign."""
     for condition in asked:
         if condition in given:
             continue
-        plain = tuple(c for c in given if isinstance(c, Gt | Ge | Lt | Le))
-        if not isinstance(condition, Gt | Ge | Lt | Le) or len(plain) < len(given):
+        if not _is_ordering(condition) or not all(map(_is_ordering, given)):
             return False
         (relation,) = conditions((condition,))
-        if not is_manifest(relation, conditions(plain)):
+        if not is_manifest(relation, conditions(given)):
             return False
     return True
 
@@ -177,33 +199,37 @@ def _implied(asked: tuple[Basic, ...], given: tuple[Basic, ...]) -> bool:
 # Roots
 
 
-def _values(claim: Claim) -> tuple[dict[Basic, Basic], tuple[Basic, ...]]:
+def _values(claim: Claim) -> tuple[dict[str, Expr], tuple[Condition, ...]]:
     """Return the conditions ``symbol = value`` as replacements, and the others with these made.
 
     Raises:
         NotShownError: an equation does not give a free symbol a value, or gives one twice.
     """
-    values: dict[Basic, Basic] = {}
-    for condition in claim.given:
-        if isinstance(condition, Eq):
-            symbol, value = condition.args
-            fits = isinstance(symbol, Symbol) and symbol not in values
-            need(
-                fits and symbol.name not in defined(claim), f"{condition} gives no variable a value"
-            )
-            need(not value.free_symbols & {symbol, *values}, f"{condition} is circular")
-            values[symbol] = value
-    for symbol in values:
-        others = (v for v in values.values() if symbol in v.free_symbols)
-        need(next(others, None) is None, f"the value of another symbol depends on {symbol}")
-    rest = (c.xreplace(values) for c in claim.given if not isinstance(c, Eq))
-    return values, tuple(c for c in rest if c is not true)
+    values: dict[str, Expr] = {}
+    given = _given(claim)
+    for condition in filter(is_equation, given):
+        left, value = condition.left, condition.right
+        fits = left.op == "symbol" and str(left) not in values
+        need(fits and str(left) not in defined(claim), f"{condition} gives no variable a value")
+        need(not symbols(value) & {str(left), *values}, f"{condition} is circular")
+        values[str(left)] = value
+    for name in values:
+        others = (v for v in values.values() if name in symbols(v))
+        need(next(others, None) is None, f"the value of another symbol depends on {name}")
+    plain = conditions(tuple(c for c in given if not is_equation(c)))
+    rest = tuple(_put(c, values) for c in plain)
+    return values, tuple(c for c in rest if names_of(c) or not is_manifest(c, ()))
 
 
-def _refuted(says: Basic, claim: Claim) -> Finding | None:
+def _put(c: Relation, values: Mapping[str, Expr]) -> Relation:
+    """Return a relation with values in place of symbols."""
+    return Relation(substitute(c.left, values), c.sign, substitute(c.right, values))
+
+
+def _refuted(says: Says, claim: Claim) -> Finding | None:
     """Return REFUTED with a point that contradicts a relation under the conditions, or None."""
-    values = tuple(c for c in claim.given if isinstance(c, Eq))
-    given = tuple(c for c in claim.given if c not in values)
+    values = tuple(filter(is_equation, _given(claim)))
+    given = tuple(c for c in _given(claim) if c not in values)
     try:
         for known in dict.fromkeys((facts_used(claim), all_facts_behind(claim))):
             found = violation(says, given, (*known, *values))
@@ -222,28 +248,24 @@ class _Zero:
         proof = root.proof
         need(isinstance(proof, Root), f"{root.label} does not define a root")
         assert isinstance(proof, Root)
-        unique = proof.unique.statement
-        need(isinstance(unique, ExactlyOne), "no root is defined")
-        assert isinstance(unique, ExactlyOne)
-        values, plain = _values(claim)
-        self.values = {symbol.name: tree(value) for symbol, value in values.items()}
-        self.symbol, self.given = proof.symbol, conditions(plain)
+        unique = _says(proof.unique)
+        one = unique if isinstance(unique, Count) and unique.how == "exactly one" else None
+        need(one is not None, "no root is defined")
+        assert one is not None
+        self.values, plain = _values(claim)
+        self.symbol, self.given = str(proof.symbol), conditions(plain)
         need_possible(replace(claim, given=plain))
-        self.variable = unique.variable.name
+        self.variable = one.name
         need(self.variable not in self.values, "the unknown must have no value")
-        sides = (unique.difference, unique.low, unique.high)
-        self.h, self.low, self.high = (substitute(tree(e), self.values) for e in sides)
-        asked = conditions(proof.unique.given)
+        sides = (in_order(one.equation[0] - one.equation[2]), one.low, one.high)
+        self.h, self.low, self.high = (substitute(e, self.values) for e in sides)
+        asked = conditions(_given(proof.unique))
         for condition in asked:
-            here = Relation(
-                substitute(condition.left, self.values),
-                condition.sign,
-                substitute(condition.right, self.values),
-            )
+            here = _put(condition, self.values)
             shown = here in self.given or is_manifest(here, self.given)
             need(shown, f"{root.label} defines {proof.symbol} only where {condition}")
         free = without(self.variable, asked)
-        self.rises = _direction(*map(tree, sides), self.variable, free)
+        self.rises = _direction(*sides, self.variable, free)
 
     def at(self, e: Expr, value: Expr) -> Expr:
         """Return ``e`` with the value in place of the variable."""
@@ -278,22 +300,22 @@ def judge_root_bound(claim: Claim, proof: RootBound) -> Finding:
     Raises:
         NotShownError: the bound is not shown to lie between the ends, or the sign is not shown.
     """
-    says = claim.statement
-    need(isinstance(says, Gt | Ge | Lt | Le), "this evidence shows a bound on a root")
-    assert isinstance(says, Relational)
+    says = _says(claim)
+    need(_is_ordering(says), "this evidence shows a bound on a root")
     zero = _Zero(claim, proof.root)
-    turned = says.lhs != zero.symbol
-    root, bound = (says.rhs, says.lhs) if turned else (says.lhs, says.rhs)
-    relation = FLIPPED[says.rel_op] if turned else says.rel_op
-    need(root == zero.symbol, f"one side must be {zero.symbol}")
-    free = {zero.symbol.name, zero.variable}.isdisjoint(map(str, bound.free_symbols))
+    z = symbol(zero.symbol)
+    turned = says.left != z
+    root, bound = (says.right, says.left) if turned else (says.left, says.right)
+    relation = FLIPPED[says.sign] if turned else says.sign
+    need(root == z, f"one side must be {z}")
+    free = {zero.symbol, zero.variable}.isdisjoint(symbols(bound))
     behind = dependencies((*claim.rests_on, claim))
     need(
-        free and zero.symbol.name not in _behind(bound, behind),
-        f"the bound must not depend on {zero.symbol}",
+        free and zero.symbol not in _behind(bound, behind),
+        f"the bound must not depend on {z}",
     )
     try:
-        shown = _bound(claim, zero, substitute(tree(bound), zero.values), relation, proof.sign)
+        shown = _bound(claim, zero, substitute(bound, zero.values), relation, proof.sign)
     except NotShownError:
         refuted = _refuted(says, claim)
         if refuted is None:
@@ -302,8 +324,8 @@ def judge_root_bound(claim: Claim, proof: RootBound) -> Finding:
     return shown
 
 
-def _behind(e: Basic, behind: Mapping[str, frozenset[str]]) -> frozenset[str]:
-    return frozenset().union(*(behind.get(str(s), frozenset()) for s in e.free_symbols))
+def _behind(e: Expr, behind: Mapping[str, frozenset[str]]) -> frozenset[str]:
+    return frozenset().union(*(behind.get(name, frozenset()) for name in symbols(e)))
 
 
 def _bound(claim: Claim, zero: _Zero, bound: Expr, relation: str, shown_by: Decided) -> Finding:
@@ -319,6 +341,10 @@ def _bound(claim: Claim, zero: _Zero, bound: Expr, relation: str, shown_by: Deci
     return Finding(PROVED, why, steps=steps)
 
 
+def _is_monotone(says: Any) -> bool:
+    return isinstance(says, Shape) and says.how in RISES
+
+
 def judge_root_monotone(claim: Claim, proof: RootMonotone) -> Finding:
     """Return PROVED if the implicit derivative of the root by the parameter has one sign.
 
@@ -326,32 +352,31 @@ def judge_root_monotone(claim: Claim, proof: RootMonotone) -> Finding:
         NotShownError: the function is not shown to be smooth, the conditions do not describe an
             interval of the parameter, or the sign is not shown.
     """
-    says = claim.statement
-    need(type(says) in RISES, "this evidence shows that a root is strictly monotone")
-    assert isinstance(says, StrictlyIncreasing | StrictlyDecreasing)
-    zero, (e, x) = _Zero(claim, proof.root), says.args
+    says = _says(claim)
+    need(_is_monotone(says), "this evidence shows that a root is strictly monotone")
+    zero, x = _Zero(claim, proof.root), says.name
     need(not zero.values, "the conditions must not be equations")
-    need(e == zero.symbol, f"the expression must be {zero.symbol}; use MonotoneOf for others")
-    need(isinstance(x, Symbol), "the parameter must be a symbol")
+    shown = says.function == symbol(zero.symbol)
+    need(shown, f"the expression must be {zero.symbol}; use MonotoneOf for others")
     used = tuple(c for c in claim.rests_on if c is not proof.root)
-    need(x.name not in defined(claim), f"{x} is defined, so that it is no parameter")
+    need(x not in defined(claim), f"{x} is defined, so that it is no parameter")
     spoken = symbols(zero.h) | symbols(zero.low) | symbols(zero.high)
     need(
-        dependent(spoken - {x.name}, (x.name,), dependencies(used)) is None,
+        dependent(spoken - {x}, (x,), dependencies(used)) is None,
         f"a symbol of the function is defined in terms of {x}",
     )
-    fixed = x.name not in symbols(zero.low) | symbols(zero.high) and x.name != zero.variable
+    fixed = x not in symbols(zero.low) | symbols(zero.high) and x != zero.variable
     need(fixed, f"the ends must not depend on {x}")
-    _need_interval(zero.given, x.name)
-    v = tree(Symbol(zero.variable, real=True))
+    _need_interval(zero.given, x)
+    v = symbol(zero.variable)
     inside = (
         *without(zero.variable, zero.given),
         Relation(v, ">", zero.low),
         Relation(v, "<", zero.high),
     )
     need_smooth(zero.h, inside)
-    start = zero.at(differentiate(zero.h, x.name), tree(zero.symbol))
-    wanted = "<" if zero.rises * RISES[type(says)] > 0 else ">"
+    start = zero.at(differentiate(zero.h, x), symbol(zero.symbol))
+    wanted = "<" if zero.rises * RISES[says.how] > 0 else ">"
     try:
         steps = _steps_to_sign(claim, start, wanted, proof.slope)
         need_all(steps)
@@ -368,8 +393,7 @@ def _steps_to_sign(
     claim: Claim, start: Expr, wanted: str, shown_by: Decided
 ) -> tuple[StepFinding, ...]:
     """Return the findings on the steps from an expression to its sign."""
-    sign = {">": Gt, ">=": Ge, "<": Lt, "<=": Le}[wanted]
-    says = sign(to_sympy(start), 0, evaluate=False)
+    says = Relation(start, wanted, ZERO)
     plain = tuple(_values(claim)[1])  # the values that equations give are put in
     asked = replace(claim, says=says, means=None, given=plain, proof=shown_by)
     found = judge_decided(asked, shown_by)
@@ -395,36 +419,34 @@ def judge_monotone_of(claim: Claim, proof: MonotoneOf) -> Finding:
     Raises:
         NotShownError: it depends on x in another way, or the sign of its derivative is not shown.
     """
-    says = claim.statement
-    need(type(says) in RISES, "this evidence shows that an expression is strictly monotone")
-    assert isinstance(says, StrictlyIncreasing | StrictlyDecreasing)
+    says = _says(claim)
+    need(_is_monotone(says), "this evidence shows that an expression is strictly monotone")
     need_possible(claim)
-    (e, x), given = says.args, conditions(claim.given)
+    written, x, given = says.function, says.name, conditions(_given(claim))
     found = [
         (part, asked)
         for part, asked in _parts_of(proof.inner)
-        if type(part) in RISES and part.args[1] == x
+        if isinstance(part, Shape) and part.how in RISES and part.name == x
     ]
     need(bool(found), f"{proof.inner.label} does not say that anything is monotone in {x}")
     part, asked = found[0]
-    y = part.args[0]
-    need(isinstance(y, Symbol), "the inner expression must be a symbol")
+    y = str(part.function)
+    need(part.function.op == "symbol", "the inner expression must be a symbol")
     # Between two of its values a root takes all others, as it is continuous in the parameter.
     ways = getattr(proof.inner.proof, "parts", (proof.inner.proof,))
     need(any(isinstance(way, RootMonotone) for way in ways), f"{y} must be shown to be continuous")
-    need(_implied(asked, claim.given), f"a condition of {proof.inner.label} could not be shown")
-    written, whole = tree(e), symbols(tree(e))
+    need(_implied(asked, _given(claim)), f"a condition of {proof.inner.label} could not be shown")
     behind = dependencies((*claim.rests_on, claim))
-    others = whole - {y.name}
-    alone = x.name not in others and dependent(others, (x.name,), behind) is None
+    others = symbols(written) - {y}
+    alone = x not in others and dependent(others, (x,), behind) is None
     need(alone, f"the expression depends on {x} not only by {y}")
-    _need_interval(given, x.name)
+    _need_interval(given, x)
     near = with_bounds(given, (citing(*proof.bounds),))
     need_smooth(written, near)
-    slope = manifest_sign(differentiate(written, y.name), near)
+    slope = manifest_sign(differentiate(written, y), near)
     need(slope in ("+", "-"), f"could not show the sign of the derivative by {y}")
-    rises = RISES[type(part)] * (1 if slope == "+" else -1)
-    if rises != RISES[type(says)]:
+    rises = RISES[part.how] * (1 if slope == "+" else -1)
+    if rises != RISES[says.how]:
         refuted = _not_monotone(claim)
         need(refuted is not None, "it is monotone in the other direction")
         assert refuted is not None
@@ -434,26 +456,25 @@ def judge_monotone_of(claim: Claim, proof: MonotoneOf) -> Finding:
 
 def _not_monotone(claim: Claim) -> Finding | None:
     """Return REFUTED with two points that contradict a statement on monotone dependence."""
-    says = claim.statement
-    assert isinstance(says, StrictlyIncreasing | StrictlyDecreasing)
-    (e, x), given = says.args, Given(conditions(claim.given))
-    names = {s.name for c in claim.given for s in c.free_symbols} | {x.name}
-    names -= defined(claim)
-    points = [*islice(given.points(sorted(names), PAIRS), PAIRS)]
+    says, given = _says(claim), conditions(_given(claim))
+    assert isinstance(says, Shape)
+    x = says.name
+    names = (names_of(*given) | {x}) - defined(claim)
+    points = [*islice(Given(given).points(sorted(names), PAIRS), PAIRS)]
     for one in points:
-        for value in {p[x.name] for p in points}:
-            other = {**one, x.name: value}
-            if value <= one[x.name]:
+        for value in {p[x] for p in points}:
+            other = {**one, x: value}
+            if value <= one[x]:
                 continue
             with ball_precision(BITS):
                 places = [place_of(p, claim.rests_on) for p in (one, other)]
-                if not places[1].meets(conditions(claim.given)):
+                if not places[1].meets(given):
                     continue
-                gap = places[1].value(tree(e)) - places[0].value(tree(e))
-                if gap.is_finite() and bool(gap * RISES[type(says)] < 0):
+                gap = places[1].value(says.function) - places[0].value(says.function)
+                if gap.is_finite() and bool(gap * RISES[says.how] < 0):
                     where = ", ".join(f"{n} = {fraction_text(v)}" for n, v in one.items())
                     why = f"violated from {where} to {x} = {fraction_text(value)}"
-                    witness: dict[str, fmpq] = {**one, f"{x.name}'": value}
+                    witness: dict[str, fmpq] = {**one, f"{x}'": value}
                     return Finding(REFUTED, why, witness=witness)
     return None
 
@@ -467,21 +488,21 @@ def judge_from_the_edge(claim: Claim, proof: FromTheEdge) -> Finding:
     Raises:
         NotShownError: a condition could not be shown, or the direction is the wrong one.
     """
-    says = claim.statement
-    need(isinstance(says, Gt | Ge | Lt | Le), "this evidence shows a bound")
-    assert isinstance(says, Relational)
+    says = _says(claim)
+    need(_is_ordering(says), "this evidence shows a bound")
     need_possible(claim)
     monotone = [
         (part, asked)
         for part, asked in _parts_of(proof.monotone)
-        if type(part) in RISES and part.args[0] == says.lhs and proof.of in (None, part.args[1])
+        if isinstance(part, Shape) and part.how in RISES
+        if part.function == says.left and (proof.of is None or str(proof.of) == part.name)
     ]
-    edge = tree(proof.at)
-    shown: str | None = f"{proof.monotone.label} is not about {says.lhs}"
+    edge = in_trees(proof.at)
+    shown: str | None = f"{proof.monotone.label} is not about {says.left}"
     for part, asked in monotone:
         shown = _beyond(claim, proof, part, asked, edge)
         if shown is None:
-            why = f"{proof.bound.label} at {part.args[1]} = {proof.at}, and {proof.monotone.label}"
+            why = f"{proof.bound.label} at {part.name} = {proof.at}, and {proof.monotone.label}"
             return Finding(PROVED, why)
     refuted = _refuted(says, claim)
     need(refuted is not None, f"{shown}")
@@ -490,42 +511,39 @@ def judge_from_the_edge(claim: Claim, proof: FromTheEdge) -> Finding:
 
 
 def _beyond(
-    claim: Claim, proof: FromTheEdge, part: Basic, asked: tuple[Basic, ...], edge: Expr
+    claim: Claim, proof: FromTheEdge, part: Shape, asked: tuple[Condition, ...], edge: Expr
 ) -> str | None:
     """Return why the bound does not carry over from the edge, or None if it does."""
-    says, x = claim.statement, part.args[1]
-    assert isinstance(says, Relational)
-    given = conditions(claim.given)
+    says, x = _says(claim), part.name
+    given = conditions(_given(claim))
     behind = dependencies((*claim.rests_on, claim))
-    if x in says.rhs.free_symbols or x.name in _behind(says.rhs, behind):
+    if x in symbols(says.right) | _behind(says.right, behind):
         return f"the bound depends on {x}"
-    if x.name in symbols(edge) or x.name in defined(claim):
+    if x in symbols(edge) or x in defined(claim):
         return f"the edge must not depend on {x}, which must be a variable"
     bounds = [c for other, c in _parts_of(proof.bound)
               if other == says]  # fmt: skip
     if not bounds:
         return f"{proof.bound.label} does not state this bound"
     # e >= v and e > v carry over to larger e: up if e rises with x, down if it falls.
-    up = (says.rel_op in (">", ">=")) == (RISES[type(part)] > 0)
-    side = Relation(tree(x), ">=" if up else "<=", edge)
+    up = (says.sign in (">", ">=")) == (RISES[part.how] > 0)
+    side = Relation(symbol(x), ">=" if up else "<=", edge)
     if not is_manifest(side, given):
         return f"could not show {side}"
-    there = {x.name: edge}
-    equations = tuple(c for c in bounds[0] if isinstance(c, Eq))
+    there = {x: edge}
+    equations = _equations(bounds[0])
     for written in equations:
-        if written.lhs != x or x in written.rhs.free_symbols:
+        if written.left != symbol(x) or x in symbols(written.right):
             return f"{written} gives {x} no value"
-        same = decide_continuous(tree(written.rhs), edge, Given(given)).verdict is PROVED
+        same = decide_continuous(written.right, edge, Given(given)).verdict is PROVED
         if not same:
             return f"could not show {written} at the edge"
     plain = tuple(c for c in bounds[0] if c not in equations)
     for condition in (*conditions(asked), *conditions(plain)):
         spoken = symbols(condition.left) | symbols(condition.right)
-        if dependent(spoken - {x.name}, (x.name,), behind) is not None:
+        if dependent(spoken - {x}, (x,), behind) is not None:
             return f"a condition speaks of a symbol that depends on {x}"
-        at_edge = Relation(
-            substitute(condition.left, there), condition.sign, substitute(condition.right, there)
-        )
+        at_edge = _put(condition, there)
         if not is_manifest(at_edge, given):
             return f"could not show {condition} at the edge"
     for condition in conditions(asked):
@@ -540,41 +558,44 @@ def judge_from_slope(claim: Claim, proof: FromSlope) -> Finding:
     Raises:
         NotShownError: a condition could not be shown, or the claims are about another function.
     """
-    says = claim.statement
-    need(isinstance(says, Gt | Ge) and says.rhs == 0, "the statement must be f > 0 or f >= 0")
-    assert isinstance(says, Relational)
+    says = _says(claim)
+    above = _is_ordering(says) and says.sign in (">", ">=") and says.right == ZERO
+    need(above, "the statement must be f > 0 or f >= 0")
     need_possible(claim)
-    f, slope, start = says.lhs, proof.slope.decided, proof.start.decided
-    rising = isinstance(slope, Gt | Ge) and isinstance(slope.lhs, Derivative) and slope.rhs == 0
+    f, slope, start = says.left, in_trees(proof.slope.decided), in_trees(proof.start.decided)
+    rising = _is_ordering(slope) and slope.sign in (">", ">=") and slope.right == ZERO
+    rising = rising and slope.left.op == "derivative" and slope.left.args[1].op == "symbol"
     need(rising, f"{proof.slope.label} does not say that a derivative is positive")
-    assert isinstance(slope, Relational)
-    need(slope.lhs.expr == f, f"{proof.slope.label} is not about the derivative of f")
-    names = slope.lhs.variables
-    need(len(names) == 1, "a first derivative is needed")
-    (x,) = names
-    begins = isinstance(start, Eq | Gt | Ge) and isinstance(start.lhs, Subs) and start.rhs == 0
+    x = str(slope.left.args[1])
+    need(_is_body_of(slope.left, x, f), f"{proof.slope.label} is not about the derivative of f")
+    begins = isinstance(start, Relation) and start.sign in ("==", ">", ">=")
+    begins = begins and start.left.op == "at" and start.right == ZERO
     need(begins, f"{proof.start.label} does not state the value of f at a point")
-    assert isinstance(start, Relational)
-    need(start.lhs.expr == f and start.lhs.variables == (x,), f"{proof.start.label}: another f")
-    p = start.lhs.point[0]
-    need(x not in p.free_symbols and x.name not in defined(claim), f"{x} must be a variable")
+    need(_is_body_of(start.left, x, f), f"{proof.start.label}: another f")
+    p = start.left.args[1]
+    need(x not in symbols(p) and x not in defined(claim), f"{x} must be a variable")
     behind = dependencies((*claim.rests_on, claim))
-    free = symbols(tree(f)) - {x.name}
-    need(dependent(free, (x.name,), behind) is None, f"a symbol of f is defined in terms of {x}")
-    given, asked = conditions(claim.given), conditions(proof.slope.given)
-    _need_interval(asked, x.name)
-    there = {x.name: tree(p)}
-    need(is_manifest(Relation(tree(x), ">", tree(p)), given), f"could not show {x} > {p}")
-    at_start = tuple(
-        Relation(substitute(c.left, there), c.sign, substitute(c.right, there)) for c in asked
-    )
-    for condition in (*asked, *at_start, *conditions(proof.start.given)):
+    free = symbols(f) - {x}
+    need(dependent(free, (x,), behind) is None, f"a symbol of f is defined in terms of {x}")
+    given, asked = conditions(_given(claim)), conditions(_given(proof.slope))
+    _need_interval(asked, x)
+    there = {x: p}
+    need(is_manifest(Relation(symbol(x), ">", p), given), f"could not show {x} > {p}")
+    at_start = tuple(_put(c, there) for c in asked)
+    for condition in (*asked, *at_start, *conditions(_given(proof.start))):
         shown = condition in given or is_manifest(condition, given)
         need(shown, f"could not show {condition}")
-    need_smooth(tree(f), asked)
-    strict = isinstance(slope, Gt) or isinstance(start, Gt) or isinstance(says, Ge)
+    need_smooth(f, asked)
+    strict = ">" in (slope.sign, start.sign) or says.sign == ">="
     need(strict, "f > 0 needs a positive derivative or a positive value at the start")
     return Finding(PROVED, f"it is not negative at {x} = {p}, and its derivative is positive")
+
+
+def _is_body_of(node: Expr, x: str, f: Expr) -> bool:
+    """Return whether a derivative, or a value at one point, is that of ``f`` by the variable."""
+    if len(node.names) != 1 or x in symbols(node.args[0]):
+        return False
+    return in_order(instantiate(node.args[0], (symbol(x),))) == f
 
 
 def judge_infimum(claim: Claim, proof: InfimumBy) -> Finding:
@@ -583,15 +604,15 @@ def judge_infimum(claim: Claim, proof: InfimumBy) -> Finding:
     Raises:
         NotShownError: a condition could not be shown, or the excess does not tend to 0.
     """
-    says = claim.statement
-    need(isinstance(says, Infimum), "this evidence shows an infimum")
-    assert isinstance(says, Infimum)
+    says = _says(claim)
+    infimum = isinstance(says, Extremum) and says.how == "infimum"
+    need(infimum, "this evidence shows an infimum")
     need_possible(claim)
-    e, v = says.args
-    need(not (v.free_symbols), "the infimum must be a number")
-    bound = Gt(e, v, evaluate=False)
+    e, v = says.function, says.value
+    need(not symbols(v), "the infimum must be a number")
+    bound = Relation(e, ">", v)
     known = [*_parts_of(proof.bound)]
-    given = conditions(claim.given)
+    given = conditions(_given(claim))
     rules, meant = instantiated(proof.using, given)
     lower = [asked for other, asked in known if other == bound]
     fits = any(
@@ -609,37 +630,36 @@ def judge_infimum(claim: Claim, proof: InfimumBy) -> Finding:
     uppers = [
         (other, asked)
         for other, asked in _parts_of(proof.above)
-        if isinstance(other, Lt | Le) and other.lhs == e
+        if isinstance(other, Relation) and other.sign in ("<", "<=") and other.left == e
     ]
     need(bool(uppers), f"{proof.above.label} does not bound {e} from above")
     upper, asked = uppers[0]
-    t = Symbol("t", real=True)
-    path = {symbol.name: tree(value) for symbol, value in proof.along}
+    t = symbol("t")
+    path = {str(name): in_trees(value) for name, value in proof.along}
     need(not {*path} & defined(claim), "the path must not give a value to a defined symbol")
-    need(all(symbols(value) <= {t.name} for value in path.values()), "a path depends on t alone")
+    need(all(symbols(value) <= {"t"} for value in path.values()), "a path depends on t alone")
 
     def along(x: Expr) -> Expr:
         return substitute(x, path)
 
-    equations = [c for c in asked if isinstance(c, Eq)]
+    equations = _equations(asked)
     asked = tuple(c for c in asked if c not in equations)
     needed = [*given, *put_into(conditions(asked), rules)]
-    (excess,) = put_into((Relation(tree(upper.rhs - v), ">", ZERO),), rules)
+    (excess,) = put_into((Relation(upper.right - v, ">", ZERO),), rules)
     rest = along(excess.left)
-    loose = symbols(rest).union(*(symbols(along(c.left - c.right)) for c in needed)) - {t.name}
+    loose = symbols(rest).union(*(symbols(along(c.left - c.right)) for c in needed)) - {"t"}
     need(not loose, f"the path gives no value to {', '.join(sorted(loose))}")
     for near in NEAR:
-        close = conditions((t > 0, t < Rational(1, near)))
+        close = _beside(t, ZERO, 1, near)
         if all(is_manifest(Relation(along(c.left), c.sign, along(c.right)), close) for c in needed):
             break
     else:
         raise NotShownError("could not show that the path satisfies the conditions near t = 0")
-    close = conditions((t > 0, t < Rational(1, near)))
     for equation in equations:
-        left, right = (along(put_in(tree(side), rules)) for side in equation.args)
+        left, right = (along(put_in(side, rules)) for side in (equation.left, equation.right))
         same = decide_continuous(left, right, Given(close)).verdict is PROVED
-        need(same and symbols(left) <= {t.name}, f"could not show {equation} on the path")
-    shrinks = decide_order(Comparison(rest, "o", ONE), Path(t.name, ZERO, (1,)))
+        need(same and symbols(left) <= {"t"}, f"could not show {equation} on the path")
+    shrinks = decide_order(Comparison(rest, "o", ONE), Path("t", ZERO, (1,)))
     need(shrinks.verdict.holds, f"could not show that the excess tends to 0: {shrinks.why}")
     why = f"{proof.bound.label}, and {proof.above.label} as t tends to 0"
     return Finding(shrinks.verdict, why)
@@ -655,97 +675,106 @@ def judge_dominated(claim: Claim, proof: Dominated) -> Finding:
         NotShownError: the claims do not bound the difference, hold under other conditions, or the
             ratio is not of the order stated.
     """
-    says = claim.statement
-    stated = ordered(says.args[0]) if isinstance(says, As) else None
+    says = _says(claim)
+    stated = solved_for_order(says.relation) if isinstance(says, Tending) else None
     need(stated is not None, "the statement must be an equation with one order")
-    assert isinstance(says, As)
     assert stated is not None
     need_possible(claim)
-    _, e, point, side = says.args
-    need(not isinstance(e, Tuple) and not point.free_symbols, "one expression tends to a number")
-    given = conditions(claim.given)
-    upper, lower = _sizes(proof.above, stated.difference)
+    path = says.path
+    end, sides = path.point, path.sides
+    need(not path.together and not symbols(end or ZERO), "one expression tends to a number")
+    given = conditions(_given(claim))
+    upper, lower = _sizes(proof.above, stated.left, given)
     if proof.below is not None:
-        lower = _sizes(proof.below, stated.difference)[1]
+        lower = _sizes(proof.below, stated.left, given)[1]
     need(upper is not None and lower is not None, "the claims do not bound it from both sides")
-    t = Symbol("[t]", real=True)
-    end = None if point in (oo, -oo) else tree(point)
-    sides = (1,) if point == oo else (-1,) if point == -oo else SIDES[int(side)]
-    need(point != -oo and sides != (1, -1), "a limit from one side, or at +oo, is needed")
-    away = [(t > near,) if end is None else _beside(t, point, sides[0], near) for near in NEAR]
+    assert upper is not None
+    assert lower is not None
+    one_sided = sides == (1,) or (sides == (-1,) and end is not None)
+    need(one_sided, "a limit from one side, or at +oo, is needed")
+    e, t = path.expression or symbol(str(path.name)), symbol("[t]")
+    away = [
+        (Relation(t, ">", number(near)),) if end is None else _beside(t, end, sides[0], near)
+        for near in NEAR
+    ]
     for used in proof.claims:
-        for written in used.given:
-            (condition,) = conditions((written,))
+        for condition in conditions(_given(used)):
             if condition in given or is_manifest(condition, given):
                 continue
-            here = _by(e, t, written.lhs - written.rhs, given)
-            (there,) = conditions((written.func(here, Integer(0), evaluate=False),))
+            here = _by(e, t, condition.left - condition.right, given)
+            there = Relation(here, condition.sign, ZERO)
             need(
-                any(is_manifest(there, conditions(close)) for close in away),
+                any(is_manifest(there, close) for close in away),
                 f"{used.label} holds only where {condition}",
             )
     for size in (upper, lower):
-        if size == 0:
+        if size == ZERO:
             continue
-        ratio = _by(e, t, size / stated.gauge, given)
+        ratio = _by(e, t, size / stated.right, given)
         found = decide_order(
-            Comparison(worked_out(tree(ratio)), stated.kind, ONE), Path(t.name, end, sides)
+            Comparison(worked_out(ratio), stated.relation, ONE), Path("[t]", end, sides)
         )
         need(found.verdict.holds, f"the bound is not of that order: {found.why}")
     why = f"the difference is at most {upper}, and at least {lower}"
+    point = INFINITY if end is None else end
     return Finding(Verdict.ENCLOSED, why, parameter=f"{e} -> {point}")
 
 
-def _beside(t: Symbol, point: Basic, side: int, near: int) -> tuple[Basic, ...]:
+def _beside(t: Expr, point: Expr, side: int, near: int) -> Conditions:
+    """Return that ``t`` lies on one side of a point, nearer than ``1/near``."""
     away = side * (t - point)
-    return (away > 0, away < Rational(1, near))
+    return (Relation(away, ">", ZERO), Relation(away, "<", ONE / near))
 
 
-def _sizes(claim: Claim, difference: Basic) -> tuple[Basic | None, Basic | None]:
+def _sizes(claim: Claim, difference: Expr, given: Conditions) -> tuple[Expr | None, Expr | None]:
     """Return what a claim states above and below the difference of an order."""
-    upper: Basic | None = None
-    lower: Basic | None = None
-    for part in parts_of(claim.decided) if isinstance(claim.decided, Basic) else ():
-        if not isinstance(part, Gt | Ge | Lt | Le):
-            continue
-        less, more = (part.lhs, part.rhs) if isinstance(part, Lt | Le) else (part.rhs, part.lhs)
-        if less in (Abs(difference, evaluate=False), Abs(-difference, evaluate=False)):
+    upper: Expr | None = None
+    lower: Expr | None = None
+
+    def is_it(e: Expr, sign: int = 1) -> bool:
+        rest = collected(e - sign * difference)
+        return rest == ZERO or decide_continuous(rest, ZERO, Given(given)).verdict is PROVED
+
+    stated = () if isinstance(claim.decided, str) else parts_of(in_trees(claim.decided))
+    for part in filter(_is_ordering, stated):
+        less, more = part.left, part.right
+        if part.sign in (">", ">="):
+            less, more = more, less
+        if less.op == "abs" and (is_it(less.args[0]) or is_it(less.args[0], -1)):
             return more, -more
-        if isinstance(less, Abs) and less.args[0] in (difference, -difference):
-            return more, -more
-        upper = more if less == difference else upper
-        lower = less if more == difference else lower
-        if less == -difference:
-            lower = -more
-        if more == -difference:
-            upper = -less
+        upper = more if is_it(less) else upper
+        lower = less if is_it(more) else lower
+        lower = -more if is_it(less, -1) else lower
+        upper = -less if is_it(more, -1) else upper
     return upper, lower
 
 
-def _by(e: Basic, t: Symbol, size: Basic, given: Conditions) -> Basic:
+def _by(e: Expr, t: Expr, size: Expr, given: Conditions) -> Expr:
     """Return a function of t that is equal to ``size`` where t is ``e``.
+
+    If there is one, it is the value of ``size`` where ``e`` is t and all variables but one are 1.
 
     Raises:
         NotShownError: none was found, or the equality is not shown.
     """
-    if isinstance(e, Symbol):
-        found = size.xreplace({e: t})
-    else:
-        (symbol, *_) = sorted(e.free_symbols, key=str)
-        slope = e.diff(symbol)
-        need(symbol not in slope.free_symbols, f"{e} must be linear in {symbol}")
-        positive = Symbol("[s]", positive=True)
-        others = {s: Symbol(f"[{s}]", positive=True) for s in size.free_symbols | e.free_symbols}
-        solved = (positive - e.subs(symbol, 0)) / slope
-        found = simplify(size.xreplace({symbol: solved}).xreplace(others))
-        found = found.xreplace({positive: t, **{new: old for old, new in others.items()}})
-    need(found.free_symbols <= {t}, f"{size} does not depend on {e} alone")
-    if not isinstance(e, Symbol):
-        back = tree(found.xreplace({t: e}))
-        written = tree(size)
-        need(elementary(written, back), "the bound must be elementary")
-        gap = undefined(written, given) or undefined(back, given)
-        need(gap is None, f"could not show that {gap} lies in the domain of its operation")
-        same = decide_continuous(written, back, known(given))
-        need(same.verdict is Verdict.PROVED, f"could not show that {size} is {back}: {same.why}")
+    if e.op == "symbol":
+        found = substitute(size, {str(e): t})
+        need(symbols(found) <= symbols(t), f"{size} does not depend on {e} alone")
+        return found
+    name = min(symbols(e), default="")
+    need(bool(name), f"{e} has no variable")
+    slope = collected(differentiate(e, name))
+    need(name not in symbols(slope), f"{e} must be linear in {name}")
+    solved = (t - substitute(e, {name: ZERO})) / slope
+    ones = dict.fromkeys((symbols(size) | symbols(e)) - {name}, ONE)
+    try:
+        found = substitute(substitute(size, {name: solved}), ones)
+    except ZeroDivisionError:
+        raise NotShownError(f"{size} has no value where other variables are 1") from None
+    back = substitute(found, {str(t): e})
+    need(elementary(size, back), "the bound must be elementary")
+    gap = undefined(size, given) or undefined(back, given)
+    need(gap is None, f"could not show that {gap} lies in the domain of its operation")
+    same = decide_continuous(size, back, known(given))
+    need(same.verdict is Verdict.PROVED, f"could not show that {size} is {back}: {same.why}")
     return found

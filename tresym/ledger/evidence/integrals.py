@@ -17,8 +17,6 @@ from functools import lru_cache
 from types import MappingProxyType
 from typing import NamedTuple
 
-from sympy import Basic, Eq
-
 from tresym.ledger.claim import Claim, Reason
 from tresym.ledger.conversion import (
     REMEMBERED,
@@ -40,12 +38,12 @@ from tresym.ledger.evidence.sign_prover import (
     undefined,
 )
 from tresym.ledger.finding import StepFinding
+from tresym.ledger.formulas import in_order, in_trees, is_equation
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.language.binders import (
     elementary,
     generalised,
     integral,
-    ordered,
     outermost,
     worked_out,
 )
@@ -106,7 +104,7 @@ def with_bounds(
     """
     bounds = {_in_order(condition): condition for condition in given}
     for claim in (c for reason in reasons if reason.name == "citing" for c in reason.claims):
-        if any(isinstance(condition, Eq) for condition in claim.given):
+        if any(map(is_equation, map(in_trees, claim.given))):
             continue
         if all(_in_order(_put(c, put)) in bounds for c in conditions(claim.given)):
             for part in conjuncts(formula(claim.decided)) if claim.in_formulas else ():
@@ -123,7 +121,7 @@ def with_bounds(
 @lru_cache(maxsize=REMEMBERED)
 def _in_order(relation: Relation) -> Relation:
     """Return the relation with its operands in a canonical order, for comparison."""
-    return Relation(ordered(relation.left), relation.sign, ordered(relation.right))
+    return Relation(in_order(relation.left), relation.sign, in_order(relation.right))
 
 
 def _put(relation: Relation, put: Mapping[str, Expr]) -> Relation:
@@ -153,7 +151,7 @@ def without_integrals(
     for reason in reasons:
         rule = RULES.get(reason.name)
         if rule is not None:
-            before, after = ordered(before), ordered(after)
+            before, after = in_order(before), in_order(after)
             found = rule(before, after, reason, given)
             before, after = replaced(before, found), replaced(after, found)
             shown.update(outermost(*found.values()))
@@ -283,7 +281,7 @@ def under_binder(one: Expr, other: Expr, given: Conditions) -> bool:
     Integrands are compared on the interval of integration, the bodies of other binders for all
     values of the bound variable.
     """
-    return _alike(ordered(one), ordered(other), given)
+    return _alike(in_order(one), in_order(other), given)
 
 
 def _alike(one: Expr, other: Expr, given: Conditions) -> bool:
@@ -345,15 +343,18 @@ def _need_change(old: Expr, new: Expr, reason: Reason, given: Conditions) -> Non
     """Require that ``new`` is ``old`` in the new variable: integrands, ends and continuity."""
     inside = _inside(old, reason.claims, given, reason, new)
     change = inside.of(_expression(reason))
-    pulled = instantiate(new.args[0], (change,))
+    pulled = in_order(instantiate(new.args[0], (change,)))
     slope = worked_out(differentiate(change, inside.name))
     first, last = (substitute(change, {inside.name: end}) for end in old.args[1:])
     start, end = new.args[1:]
-    if not _equal(first, start, inside.conditions):
+    outside = tuple(  # the ends do not contain the variable
+        c for c in inside.conditions if inside.name not in symbols(c.left) | symbols(c.right)
+    )
+    if not _equal(first, start, outside):
         start, end, slope = end, start, -slope  # the new variable is decreasing
     ends = "could not show that the ends of the two integrals correspond under the new variable"
-    need(_equal(first, start, inside.conditions), ends)
-    need(_equal(last, end, inside.conditions), ends)
+    need(_equal(first, start, outside), ends)
+    need(_equal(last, end, outside), ends)
     need(
         _equal(inside.integrand, pulled * slope, inside.conditions),
         "could not show that the two integrands correspond under the new variable",
@@ -518,7 +519,7 @@ def _names_of(trees: Iterable[Expr]) -> frozenset[str]:
 
 def _expression(reason: Reason) -> Expr:
     """Return the expression that a reason carries."""
-    assert isinstance(reason.expression, Basic)
+    assert reason.expression is not None
     return tree(reason.expression)
 
 

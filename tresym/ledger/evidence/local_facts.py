@@ -9,7 +9,7 @@ from tresym.ledger.conversion import conditions, defined
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.integrals import RULES, NotShownError
 from tresym.ledger.evidence.premises import unmet_condition
-from tresym.ledger.statements import Under
+from tresym.ledger.formulas import Under, in_trees, names_of
 from tresym.reals.verdict import Verdict
 
 
@@ -22,8 +22,9 @@ def facts_of(claim: Claim) -> tuple[Claim, ...]:
     """
     found: list[Claim] = []
     for n, fact in enumerate(claim.knowing, 1):
-        says, more = fact.args if isinstance(fact, Under) else (fact, ())
-        names, given = {str(s) for s in says.free_symbols}, (*claim.given, *more)
+        fact = in_trees(fact)
+        says, more = (fact.formula, fact.given) if isinstance(fact, Under) else (fact, ())
+        names, given = names_of(says), (*map(in_trees, claim.given), *more)
         behind = (c for c in claim.rests_on if isinstance(c.proof, Definition))
         meant = [
             c

@@ -23,10 +23,10 @@ from tresym.ledger.claim import Claim, Root
 from tresym.ledger.conversion import DEFINING, Conditions, conditions, defined, known
 from tresym.ledger.evidence.at_point import Place, Rule, Rules, roots_by, rules_by
 from tresym.ledger.finding import Finding
-from tresym.ledger.formulas import Rounded, in_trees, is_equation
+from tresym.ledger.formulas import Rounded, in_order, in_trees, is_equation
 from tresym.reals.balls.branch_and_bound import halves
 from tresym.reals.language import expression
-from tresym.reals.language.binders import ordered, outermost
+from tresym.reals.language.binders import outermost
 from tresym.reals.language.expression import Expr, symbol, symbols
 from tresym.reals.language.formula import Relation, names
 from tresym.reals.numbers.arithmetic import ball_precision, bits
@@ -193,9 +193,9 @@ def _grounded(number: Term) -> Term:
         for node in outermost(e):
             if node.op == "root" and str(node) not in used:
                 used.add(str(node))
-                if ordered(node) not in number.roots:
+                if in_order(node) not in number.roots:
                     raise InputError(f"no claim proves that {node} is unique")
-                follow(number.roots[ordered(node)])
+                follow(number.roots[in_order(node)])
         for name in symbols(e) - used:
             used.add(name)
             if name not in number.inputs:

@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import islice
-from typing import ClassVar
+from typing import Any, ClassVar
 
-from flint import arb, fmpq
-from sympy import Basic, Equivalent, Tuple
-from sympy.core.relational import Relational
+from flint import fmpq
 
 from tresym.ledger.claim import Claim, Counterexample
-from tresym.ledger.conversion import conditions, defined, known, tree
-from tresym.ledger.counterexamples import excluded, scalars
+from tresym.ledger.conversion import conditions, defined, known
+from tresym.ledger.counterexamples import excluded
 from tresym.ledger.evidence.at_point import Place, place_of
 from tresym.ledger.finding import Finding, Ruling
-from tresym.ledger.statements import Under
+from tresym.ledger.formulas import EqualMatrices, Says, Under, in_trees, names_of, relations_of
 from tresym.reals.domain.evaluation import stands
+from tresym.reals.language.compound import Equivalent, Together
+from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.arithmetic import ball_precision
 from tresym.reals.numbers.exact import fraction_text
 from tresym.reals.verdict import Verdict
@@ -46,7 +46,7 @@ def judge_counterexample(claim: Claim, proof: Counterexample) -> Finding:
 def denied_somewhere(claim: Claim) -> Finding | None:
     """Try a few exact points of the region; return REFUTED if the bound fails at one, or None."""
     given = known(conditions(claim.given))
-    free = {s.name for condition in claim.given for s in condition.free_symbols}
+    free = names_of(*map(in_trees, claim.given))
     for point in islice(given.points(sorted(free - defined(claim)), POINTS), POINTS):
         if not_denied(claim, point) is None:
             return _violated(point)
@@ -71,66 +71,58 @@ def not_denied(claim: Claim, exact: Point, bits: int = BITS[0]) -> str | None:
         return "the claim has no formula, so a point cannot contradict it"
     with ball_precision(bits):
         point = place_of(exact, claim.rests_on)
-        for condition in claim.given:
+        for condition in map(in_trees, claim.given):
             if not _holds_at(condition, point):
                 return f"could not confirm the condition {condition} at the point"
-        if denied_at(claim.statement, point) is None:
+        if denied_at(in_trees(claim.statement), point) is None:
             return "could not show that the statement fails at the point"
     return None
 
 
-def denied_part(says: Basic, exact: Point) -> tuple[tuple[Basic, ...], Relational] | None:
+def denied_part(says: Any, exact: Point) -> tuple[tuple[Says, ...], Relation] | None:
     """Return what :func:`denied_at` finds at exact coordinates, without any definition."""
     with ball_precision(BITS[0]):
-        return denied_at(says, place_of(exact, ()))
+        return denied_at(in_trees(says), place_of(exact, ()))
 
 
-def denied_at(says: Basic, point: Place) -> tuple[tuple[Basic, ...], Relational] | None:
+def denied_at(says: Says, point: Place) -> tuple[tuple[Any, ...], Relation] | None:
     """Find a relation in ``says`` that balls exclude at ``point``.
 
     Args:
-        says: a relation, a `Tuple` of them, an `Under` or an `Equivalent`.
+        says: a relation, several of them, an `Under` or an equivalence of two.
         point: the values of the symbols.
 
     Returns:
         The conditions that hold at the point and the relation that fails, or None.
     """
     match says:
-        case Tuple():
-            return next((d for part in says.args if (d := denied_at(part, point))), None)
-        case Under(args=(inner, given)):
-            holds = _all_hold(given.args, point)
-            denied = denied_at(inner, point) if holds else None
-            return denied and ((*given.args, *denied[0]), denied[1])
-        case Equivalent(args=(first, second)):
+        case Together(parts):
+            return next((d for part in parts if (d := denied_at(part, point))), None)
+        case Under(inner, given):
+            denied = denied_at(inner, point) if _all_hold(given, point) else None
+            return denied and ((*given, *denied[0]), denied[1])
+        case Equivalent((first, second)):
             for one, other in ((first, second), (second, first)):
-                holds = _all_hold((one,), point)
-                denied = denied_at(other, point) if holds else None
+                denied = denied_at(other, point) if _all_hold((one,), point) else None
                 if denied is not None:
                     return (one, *denied[0]), denied[1]
-        case Relational():
-            for entry in scalars(says):
-                if excluded(_difference_at(entry, point), entry.rel_op):
+        case Relation() | EqualMatrices():
+            for entry in relations_of(says):
+                if excluded(point.value(entry.left - entry.right), entry.sign):
                     return (), entry
     return None
 
 
-def _all_hold(conditions: tuple[Basic, ...], point: Place) -> bool:
+def _all_hold(conditions: tuple[Any, ...], point: Place) -> bool:
     """Return whether balls confirm all relations at ``point``."""
-    return all(_holds_at(entry, point) for part in conditions for entry in scalars(part))
+    return all(_holds_at(entry, point) for part in conditions for entry in relations_of(part))
 
 
-def _holds_at(relation: Basic, point: Place) -> bool:
+def _holds_at(relation: Any, point: Place) -> bool:
     """Return whether balls confirm a relation; an equation only if the ball is exactly 0."""
-    return isinstance(relation, Relational) and stands(
-        _difference_at(relation, point), relation.rel_op
-    )
-
-
-def _difference_at(relation: Basic, point: Place) -> arb:
-    """Return a ball for left minus right side; NaN if a symbol or a side has no value."""
-    left, right = map(tree, relation.args)
-    return point.value(left - right)
+    if not isinstance(relation, Relation):
+        return False
+    return bool(stands(point.value(relation.left - relation.right), relation.sign))
 
 
 @dataclass(frozen=True)

@@ -11,15 +11,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any
 
 from tresym.ledger.claim import Claim
 from tresym.ledger.conversion import Conditions, conditions, defined, known
+from tresym.ledger.evidence.asymptotics import solved_for_order
 from tresym.ledger.evidence.sign_prover import is_manifest
-from tresym.ledger.formulas import Tending, in_trees, mapped, names_of, sides_of
+from tresym.ledger.formulas import Tending, in_order, in_trees, mapped, names_of, sides_of
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.domain.operation_domains import operations
-from tresym.reals.language.binders import ordered, outermost
 from tresym.reals.language.comparisons import terms
 from tresym.reals.language.derivatives import differentiate
 from tresym.reals.language.expression import (
@@ -56,14 +56,6 @@ class Remainder:
     reading: tuple[tuple[Any, Any], ...] = ()
 
 
-class Ordered(NamedTuple):
-    """The statement that ``difference`` is O(``gauge``) or o(``gauge``), as ``kind`` says."""
-
-    difference: Expr
-    kind: str
-    gauge: Expr
-
-
 def is_open(says: Any) -> bool:
     """Return whether a formula contains O(…), o(…) or unspecified higher-order terms."""
     stated = in_trees(says)
@@ -73,32 +65,6 @@ def is_open(says: Any) -> bool:
 def _orders(sides: Iterable[Expr]) -> list[Expr]:
     """Return the orders O(…) and o(…) in expressions, each once."""
     return [node for node in operations(sides) if node.op in ("O", "o")]
-
-
-def solved_for_order(says: Any) -> Ordered | None:
-    """Solve an equation for its only O(…) or o(…), in which it must be linear.
-
-    Example: ``y == x + 2*O(x**2)`` says that y − x is O of −2x².
-
-    Returns:
-        The difference, the kind (``"O"`` or ``"o"``) and the gauge; None if ``says`` is not such
-        an equation.
-    """
-    orders = _orders(sides_of(says))
-    if not isinstance(says, Relation) or says.sign != "==" or len(orders) != 1:
-        return None
-    (node,) = orders
-    mark = symbol("[order]")
-    rest = replaced(says.left - says.right, {node: mark})
-    inner = {e: symbol(f"[{n}]") for n, e in enumerate(dict.fromkeys(outermost(rest)))}
-    if any(str(mark) in symbols(e) for e in inner):
-        return None
-    factor = collected(-differentiate(replaced(rest, inner), str(mark)))
-    if str(mark) in symbols(factor) or factor == ZERO:
-        return None
-    factor = substitute(factor, {str(name): e for e, name in inner.items()})
-    difference = substitute(rest, {str(mark): ZERO})
-    return Ordered(difference, node.op, node.args[0] * factor)
 
 
 def _remainder(claim: Claim) -> Remainder | None:
@@ -167,14 +133,10 @@ def _no_bound(says: Relation, means: Relation, remainder: Remainder, claim: Clai
     given = conditions(claim.given)
     x, size, gauge = str(remainder.tends), means.left.args[0], means.right
     read = {in_trees(one): in_trees(other) for one, other in remainder.reading}
-    printed = mapped(says, lambda e: ordered(replaced(e, read)))
+    printed = mapped(says, lambda e: in_order(replaced(e, read)))
     stated = solved_for_order(printed)
     hidden = [side for side in (printed.left, printed.right) if HOT in symbols(side)]
-    rest = (
-        substitute(printed.left - printed.right, {HOT: ZERO})
-        if stated is None
-        else stated.difference
-    )
+    rest = substitute(printed.left - printed.right, {HOT: ZERO}) if stated is None else stated.left
     if not (_equal(rest, size, given) or _equal(rest, -size, given)):
         return "the bound is not on the difference of the two printed sides"
     why = unreached(x, given)
@@ -184,11 +146,11 @@ def _no_bound(says: Relation, means: Relation, remainder: Remainder, claim: Clai
         if len(hidden) == 1 and _is_smaller(gauge, hidden[0], x):
             return None
         return "the bound does not show that the omitted terms are of higher order"
-    if stated.kind == "o":
+    if stated.relation == "o":
         return "a bound with a constant proves O(…), but the formula states o(…)"
-    if why := unfit_to_tend(remainder.tends, stated.gauge, printed):
+    if why := unfit_to_tend(remainder.tends, stated.right, printed):
         return why
-    factor = symbols(in_lowest_terms(gauge / stated.gauge))
+    factor = symbols(in_lowest_terms(gauge / stated.right))
     held = frozenset(map(str, remainder.held))
     if x in held or not factor <= held:
         return "the right side of the bound is not a constant times the printed order"

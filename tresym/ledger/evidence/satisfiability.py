@@ -12,12 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from functools import lru_cache
+from typing import Any
 
 from flint import arb
-from sympy import Basic, Integer
 
 from tresym.ledger.conversion import Conditions, Rules, conditions, formula, known, put_in, tree
-from tresym.ledger.counterexamples import scalars, somewhere
+from tresym.ledger.counterexamples import somewhere
 from tresym.ledger.evidence.integrals import NotShownError, without_integrals
 from tresym.ledger.evidence.sign_prover import undefined
 from tresym.ledger.reasons import differentiating_integral
@@ -26,7 +26,7 @@ from tresym.reals.domain.binder_values import jumps
 from tresym.reals.domain.evaluation import evaluate, stands
 from tresym.reals.language.binders import elementary, generalised, outermost, worked_out
 from tresym.reals.language.derivatives import differentiate
-from tresym.reals.language.expression import Expr, opened, replaced, symbol
+from tresym.reals.language.expression import ZERO, Expr, opened, replaced, symbol
 from tresym.reals.language.formula import Relation, relations
 from tresym.reals.numbers.arithmetic import ball_precision, side
 from tresym.reals.numbers.exact import Interval
@@ -40,12 +40,12 @@ CELLS = 32
 """Number of cells into which an interval of integration is divided."""
 WIDENING = arb((1, -8))
 """Relative widening of a segment, because integrals are enclosed only roughly."""
-BY_END = (differentiating_integral(Integer(0)),)
+BY_END = (differentiating_integral(ZERO),)
 """The rule that gives the derivative of an integral by one of its ends."""
 
 
 @lru_cache(maxsize=512)
-def satisfiable(given: tuple[Basic, ...], known: tuple[Basic, ...]) -> bool:
+def satisfiable(given: tuple[Any, ...], known: tuple[Any, ...]) -> bool:
     """Return whether a point is found where ``given`` and ``known`` are all proved to hold.
 
     False only means that no point was found.
@@ -55,12 +55,12 @@ def satisfiable(given: tuple[Basic, ...], known: tuple[Basic, ...]) -> bool:
         known: relations of the claims used, equations among them.
 
     Example:
-        >>> from sympy import Symbol
-        >>> x = Symbol("x", real=True)
-        >>> satisfiable((x > 1,), (x < 2,)), satisfiable((x > 1,), (x < 0,))
+        >>> from tresym.reals.language.expression import number
+        >>> above, below = (Relation(symbol("x"), sign, number(1)) for sign in "><")
+        >>> satisfiable((above,), ()), satisfiable((above,), (below,))
         (True, False)
     """
-    stated = (r for e in known for entry in scalars(e) for r in relations(formula(entry)))
+    stated = (r for e in known for r in relations(formula(e)))
     put, places = somewhere(given, known)
     rules = {tree(left): tree(right) for left, right in put.items()}
     named = [{str(symbol): where for symbol, where in place.items()} for place in places]

@@ -6,9 +6,11 @@ An unevaluated integral, derivative or limit is treated as a variable about whic
 from __future__ import annotations
 
 from tresym.ledger.conversion import Conditions, known
-from tresym.reals.language.binders import generalised, ordered
-from tresym.reals.language.expression import Expr
+from tresym.ledger.formulas import in_order
+from tresym.reals.language.binders import generalised
+from tresym.reals.language.expression import LEAVES, ZERO, Expr, number, rebuild
 from tresym.reals.language.formula import Relation
+from tresym.reals.language.like_terms import collected
 from tresym.reals.signs import definedness
 from tresym.reals.signs.interior import PROVING
 from tresym.reals.signs.sign import proof_for_ledger, sign_by
@@ -36,7 +38,7 @@ def manifest_sign(e: Expr, given: Conditions, wanted: str | None = None) -> str 
 def is_stated(e: Expr, given: Conditions) -> bool:
     """Return whether one of the conditions literally states ``e >= 0`` or ``e > 0``."""
     up = (c.upward for c in given if c.sign != "!=")
-    return any(ordered(c.left - c.right) == ordered(e) for c in up)
+    return any(in_order(c.left - c.right) == in_order(e) for c in up)
 
 
 def is_manifest(relation: Relation, given: Conditions) -> bool:
@@ -44,12 +46,31 @@ def is_manifest(relation: Relation, given: Conditions) -> bool:
     if relation.sign == "==":
         return False
     up = relation.upward
-    return manifest_sign(up.left - up.right, given, up.sign) in PROVING[up.sign]
+    difference = collected(up.left - up.right)
+    return manifest_sign(difference, given, up.sign) in PROVING[up.sign]
 
 
 def undefined(e: Expr, given: Conditions) -> Expr | None:
     """Return the first subexpression that is not shown to be defined under ``given``, or None."""
-    return definedness.undefined(e, known(given))
+    return definedness.undefined(with_single_powers(e, given), known(given))
+
+
+def with_single_powers(e: Expr, given: Conditions) -> Expr:
+    """Return the expression with 1/√x and such as one power of x, where x is shown positive.
+
+    It is defined where the expression is.
+    """
+    if e.op in LEAVES or e.names:
+        return e
+    args = tuple(with_single_powers(arg, given) for arg in e.args)
+    e = e if args == e.args else rebuild(e, args)
+    inner = e.args[0] if e.op == "^" else e
+    if e.op != "^" or inner.op != "^" or {e.args[1].op, inner.args[1].op} != {"number"}:
+        return e
+    x, r, exponent = inner.args[0], inner.args[1].args[0], e.args[1].args[0]
+    if r.q == 1 or not is_manifest(Relation(x, ">", ZERO), given):
+        return e
+    return x ** number(r * exponent)
 
 
 def continuous_on(e: Expr, given: Conditions) -> Expr | None:

@@ -8,15 +8,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from flint import arb, fmpq
-from sympy import Basic, Subs, Symbol
 
 from tresym.racket.flip.separatrix import defect_over
 from tresym.racket.formulas import printed, stable
 from tresym.racket.motion.quadrature import rigorous
 from tresym.racket.notation import S, a, b, depsilon_dgamma, epsilon, epsilon0, gamma, lam, mu
+from tresym.reals.language.binders import at
+from tresym.reals.language.expression import ZERO, Expr, symbol
 from tresym.reals.numbers.arithmetic import balls
 
-Values = dict[Basic, arb]
+Values = dict[Expr, arb]
 Samples = Callable[[], Iterator[tuple[tuple[arb, ...], Values]]]
 
 SHAPES = tuple(
@@ -24,7 +25,7 @@ SHAPES = tuple(
     for p, q in (((9, 2), (1, 2)), ((12, 1), (1, 4)), ((5, 4), (7, 8)), ((40, 1), (9, 10)))
 )
 """Shapes with ab ≥ 1/4 and b ≤ 4a, strictly inside every box."""
-TURN = Symbol("f", real=True)
+TURN = symbol("f")
 """−∂F/∂ε at a level, which converts F − π to a distance in ε."""
 
 
@@ -66,5 +67,5 @@ def _at_level(p: fmpq, q: fmpq, level: arb) -> Values:
     step = (rigorous(start, known[a], known[b], level) - balls.pi) / turn
     found = start + step if abs(step) < reach else arb.nan()
     known[gamma], known[epsilon], known[TURN] = level, found, turn
-    known[Subs(depsilon_dgamma, gamma, 0)] = slope
+    known[at(depsilon_dgamma, {str(gamma): ZERO})] = slope
     return known

@@ -10,9 +10,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from tresym.ledger.claim import Claim
+from tresym.ledger.formulas import relations_of
 from tresym.reals.decisions.answer import Alternative
-from tresym.reals.decisions.claim_parsing import read
+from tresym.reals.decisions.claim_parsing import stated
 from tresym.reals.decisions.statement import Statement
+from tresym.reals.language.binders import elementary
+from tresym.reals.language.compound import Together
+from tresym.reals.language.formula import Relation
 from tresym.reals.numbers.exact import InputError
 from tresym.repair.search import alternatives
 
@@ -37,11 +41,14 @@ def search(claim: Claim) -> Searched:
         None if no repair was found.
     """
     formula = claim.says if claim.means is None else claim.means
-    try:
-        statement = read(formula, claim.given)
-    except (InputError, TypeError, AttributeError):
+    if not isinstance(formula, Relation) or not elementary(formula.left, formula.right):
         return Searched(False)
-    if isinstance(formula, str) or _size(statement) > MOST_SIZE:
+    try:
+        given = tuple((c.left, c.sign, c.right) for c in relations_of(Together(claim.given)))
+        statement = stated(((formula.left, formula.sign, formula.right),), given)
+    except InputError:
+        return Searched(False)
+    if _size(statement) > MOST_SIZE:
         return Searched(False)
     found = alternatives(statement.read_as, SECONDS, 1, (), False, False)
     return Searched(True, found[0] if found else None)

@@ -63,7 +63,7 @@ def _row_json(row: Row, lines: dict[int | None, int]) -> dict[str, Any]:
         "requested": row.requested,
         "says": says_latex(claim.says),
         "means": None if claim.statement is None else says_latex(claim.statement),
-        "sympy": None if claim.statement is None else str(claim.statement),
+        "formula": None if claim.statement is None else str(claim.statement),
         "formal": is_formal(claim),
         "given": [says_latex(condition) for condition in claim.given],
         "expect": claim.expect.value,

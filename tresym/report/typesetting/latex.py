@@ -47,6 +47,7 @@ from tresym.reals.language.typesetting import (
     fraction,
     is_negative,
     opposite,
+    reciprocal,
 )
 from tresym.reals.numbers.exact import printed
 
@@ -113,7 +114,9 @@ class PaperPrinter(Printer):
         return tuple(sorted(terms, key=_term_rank))
 
     def over(self, above: list[Expr], below: list[Expr]) -> str:
-        """A number before a function or a sum is a fraction of its own."""
+        """A number before a function or a sum is a fraction of its own, and 1/(1/x) is x."""
+        twice = [f for f in below if f.op == "^" and fraction(f)[1]]
+        above, below = above + [reciprocal(f) for f in twice], [f for f in below if f not in twice]
         rest = [f for f in above if f.op != "number"]
         if below and all(f.op == "number" for f in below) and any(map(_stands_alone, rest)):
             head = [f for f in above if f.op == "number"]

@@ -1,4 +1,4 @@
-"""Statements for which SymPy has no class, as unevaluated expressions.
+"""Statements of claims in SymPy, as tests write them; a claim takes their trees.
 
 A statement is a relation, a `Tuple` of relations, an equivalence, or an instance of one of the
 classes below. It is meant for all values of its free symbols that satisfy the conditions of the
@@ -7,16 +7,50 @@ claim; symbols with a definition have the value that the definition gives them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
-from sympy import Basic, Eq, Expr, Integer, Symbol, Tuple
+from sympy import Basic, Derivative, Eq, Expr, Integer, Subs, Symbol, Tuple
 from sympy.core.symbol import Str
 from sympy.core.sympify import _sympify
+
+from tresym.ledger import formulas
+from tresym.ledger.formulas import Rounded, Tending, in_trees, parts_of
+from tresym.reals.language import named_claims
+from tresym.reals.language.calls import INFINITY
+from tresym.reals.language.compound import Count, Shape, Somewhere
+from tresym.reals.language.expression import ZERO
+from tresym.reals.language.paths import Path
+from tresym.reals.numbers.exact import InputError
+
+SIDES = {1: (1,), -1: (-1,), 0: (1, -1)}
+
+
+def equal(left: Any, right: Any) -> Eq:
+    """Return the equation ``left = right``, which SymPy is not allowed to evaluate."""
+    return Eq(left, right, evaluate=False)
+
+
+def equations(left: Any, right: Any) -> Tuple:
+    """Return the system of equations ``left[i] = right[i]``; both have the same length."""
+    return Tuple(*(equal(p, q) for p, q in zip(left, right, strict=True)))
+
+
+def at(e: Expr, values: Mapping[Symbol, Any]) -> Subs:
+    """Return ``e`` with its symbols replaced by ``values``, as an unevaluated `Subs`."""
+    if e.has(Derivative) and len(set(values.values())) < len(values):
+        raise ValueError(
+            "two symbols get the same value inside a derivative; substitute one after the other"
+        )
+    return Subs(e, tuple(values), tuple(values.values()))
 
 
 class Statement(Basic):
     """Base class of the statements in this module."""
+
+    def as_tree(self) -> Any:
+        """Return the statement of the ledger."""
+        return _STATEMENTS[type(self).__name__](self)
 
     def __new__(cls, *args: Any) -> Statement:
         """Create the statement, unevaluated; Python numbers become SymPy numbers."""
@@ -194,3 +228,88 @@ def together_under(parts: Iterable[tuple[Basic, tuple[Basic, ...]]]) -> Tuple:
         part = says.args if conjoined and not given else (Under(says, Tuple(*given)),)
         whole.update(dict.fromkeys(part))
     return Tuple(*whole)
+
+
+def _count(how: str) -> Callable[[Any], Count]:
+    def made(says: Any) -> Count:
+        x, low, high, inner = says.args
+        return Count(
+            how, x.name, in_trees(low), in_trees(high), (False, False), in_trees(inner), ()
+        )
+
+    return made
+
+
+def _shape(how: str) -> Callable[[Any], Shape]:
+    return lambda says: Shape(how, in_trees(says.args[0]), str(says.args[1]), ())
+
+
+def _equilibrium(how: str) -> Callable[[Any], named_claims.Equilibrium]:
+    def made(says: Any) -> named_claims.Equilibrium:
+        names, rates, point = says.args
+        return named_claims.Equilibrium(
+            how,
+            tuple(map(str, names.args)),
+            tuple(map(in_trees, point.args)),
+            tuple(map(in_trees, rates.args)),
+            None,
+            (),
+        )
+
+    return made
+
+
+def _tending(says: Any) -> Tending:
+    inner, what, point, side = says.args
+    return Tending(in_trees(inner), path_to(_several(what), _several(point), int(side)))
+
+
+def _several(e: Any) -> Any:
+    return tuple(map(in_trees, e.args)) if type(e).__name__ == "Tuple" else in_trees(e)
+
+
+def path_to(what: Any, point: Any, side: int = 1) -> Path:
+    """Return the path of an expression, or of several variables, that tends to a point.
+
+    Raises:
+        InputError: several variables do not tend from all sides, or an expression not to oo.
+    """
+    if isinstance(what, tuple):
+        if side != 0:
+            raise InputError("several variables tend to a point from all sides")
+        names = tuple(str(x) for x in what)
+        return Path("", ZERO, (1,), together=names, points=point)
+    if what.op == "symbol":
+        name = str(what.args[0])
+        if point in (INFINITY, -INFINITY):
+            return Path(name, None, (1 if point == INFINITY else -1,))
+        return Path(name, point, SIDES[side])
+    if point != INFINITY:
+        raise InputError("an expression is supported that tends to oo")
+    return Path("", None, (1,), expression=what)
+
+
+_STATEMENTS: dict[str, Callable[[Any], Any]] = {
+    "ExactlyOne": _count("exactly one"),
+    "AtMostOne": _count("at most one"),
+    "StrictlyIncreasing": _shape("increasing"),
+    "StrictlyDecreasing": _shape("decreasing"),
+    "StableEquilibrium": _equilibrium("stable"),
+    "UnstableEquilibrium": _equilibrium("unstable"),
+    "Infimum": lambda says: named_claims.Extremum(
+        "infimum", in_trees(says.args[0]), (), in_trees(says.args[1]), ()
+    ),
+    "Conserved": lambda says: named_claims.Conserved(
+        in_trees(says.args[0]),
+        tuple(map(str, says.args[1].args)),
+        tuple(map(in_trees, says.args[2].args)),
+        (),
+    ),
+    "ForSome": lambda says: Somewhere(parts_of(in_trees(says.args[0])), ()),
+    "Under": lambda says: formulas.Under(
+        in_trees(says.args[0]), tuple(map(in_trees, says.args[1].args))
+    ),
+    "As": _tending,
+    "Rounds": lambda says: Rounded(in_trees(says.term), says.text, says.half_units),
+}
+"""How the statements that are written in SymPy become trees."""
