@@ -948,11 +948,12 @@ def _has_a_point(sides: Sequence[Expr], given: Sequence[Compared]) -> bool:
 def _in_both(first: Iterable[Compared], second: Iterable[Compared]) -> list[Expr]:
     """The largest expressions that stand in both of two formulas, not only as a power."""
 
-    def inner(links: Iterable[Compared]) -> set[Expr]:
+    def inner(links: Iterable[Compared]) -> dict[Expr, None]:
         found = operations([side for link in links for side in link[::2]])
-        return {e for e in found if symbols(e) and not e.loose and elementary(e)}
+        return {e: None for e in found if symbols(e) and not e.loose and elementary(e)}
 
-    both = {e for e in inner(first) & inner(second) if len(list(operations((e,)))) >= SIZE}
+    also = inner(second)  # in the order of the first formula, which is the same in every run
+    both = [e for e in inner(first) if e in also and len(list(operations((e,)))) >= SIZE]
     return [e for e in both if not any(e != f and e in set(operations((f,))) for f in both)]
 
 
