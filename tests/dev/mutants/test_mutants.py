@@ -199,7 +199,7 @@ def test_orders_are_changed_only_to_false_ones(order: str, stated: Stated) -> No
     check(report)
 
 
-@pytest.mark.parametrize("label", ["eps0_smooth", "no_single_constant", "half_a_turn_before"])
+@pytest.mark.parametrize("label", ["eps0_smooth", "no_single_constant", "one_turn"])
 def test_refuted_orders_instances_and_slopes_are_changed(label: str) -> None:
     report = verify_mutants([label], 2)
     assert report.survivors == report.stopped == ()
