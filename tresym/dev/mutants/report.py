@@ -340,7 +340,7 @@ def _within(seconds: float, claim: Claim, found: dict[str, Finding]) -> Finding 
     try:
         with time_limit(seconds, _NotBelievedError):
             return judge(claim, found)
-    except _NotBelievedError:
+    except (_NotBelievedError, SystemError):  # FLINT may wrap what a time limit raises
         return None
 
 
@@ -352,7 +352,7 @@ def _seen_false(claim: Claim) -> Finding:
     try:
         with time_limit(MOST, _NotBelievedError):
             return seen_false(claim)
-    except _NotBelievedError:
+    except (_NotBelievedError, SystemError):  # FLINT may wrap what a time limit raises
         return nothing
 
 
