@@ -642,7 +642,7 @@ class PartReader(Reader):
             says = self._tending(says, clauses["as"])
         steps = self._steps(self._clause_free(written), says, uses)
         given = [*self._declared_about((says, *given)), *given]
-        bounds = tuple(c for c in given if is_bound(c))
+        bounds = tuple(c for c in given if isinstance(c, Relation) and c.sign != "==")
         says = mapped(says, lambda e: in_order(with_single_powers(e, bounds)))
         fields |= {"says": says, "given": tuple(given)}
         at = clauses.get("at", "")
