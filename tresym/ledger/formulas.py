@@ -170,7 +170,7 @@ def _multiplied(e: Expr) -> Expr:
             return multiply(*(_multiplied(power(f, exponent)) for f in base.args))
         if base.op == "^" and base.args[1].op == "number":
             inner, r = base.args[0], base.args[1].args[0]
-            if r.q > 1 and ((r * n).q > 1 if n < 0 else _is_positive(inner)):
+            if r.q > 1 and (r > 0 and (r * n).q > 1 if n < 0 else _is_positive(inner)):
                 return power(inner, number(r * n))
     if e.op == "*" and len(args) == 2:
         factor, total = args
