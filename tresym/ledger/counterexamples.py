@@ -22,16 +22,13 @@ from typing import Any
 
 from flint import arb, fmpq
 
-from tresym.ledger.claim import Claim
 from tresym.ledger.conversion import MAX_PASSES, CircularError
 from tresym.ledger.formulas import (
     EqualMatrices,
     Says,
     binders_in,
     in_trees,
-    is_equation,
     names_of,
-    parts_of,
     relations_of,
 )
 from tresym.ledger.sample_points import (
@@ -284,13 +281,6 @@ def _identical(left: Expr, right: Expr, given: Conditions) -> bool:
     """Return whether the two sides are proved equal under ``given``."""
     one, other = generalised(left, right)
     return decide(one, other, Given(given)).verdict is Verdict.PROVED
-
-
-def rules_of(claims: Iterable[Claim]) -> dict[str, Expr]:
-    """Return the equations for symbols that the claims state, as rules."""
-    parts = (p for c in claims for p in parts_of(in_trees(c.says)) if is_equation(p))
-    equations = (r for part in parts for r in relations_of(part))
-    return {str(r.left): r.right for r in equations if r.left.op == "symbol"}
 
 
 def put_in(e: Expr, rules: Mapping[str, Expr]) -> Expr:

@@ -29,8 +29,7 @@ from tresym.dev.bench.run import (
     tally,
 )
 from tresym.ledger.claim import Chain, Claim, Step
-from tresym.ledger.conversion import conditions, known, tree
-from tresym.ledger.counterexamples import put_in, rules_of
+from tresym.ledger.conversion import conditions, definitions, known, put_in, tree
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.sign_prover import manifest_sign
 from tresym.ledger.paper import all_claims
@@ -112,7 +111,7 @@ def _chains(claim: Claim) -> Iterator[tuple[Any, Chain, tuple[Claim, ...]]]:
 def _expressions(says: Any, chain: Chain, put: tuple[Claim, ...]) -> list[Any]:
     """The expressions of a chain, with the definitions that it uses substituted."""
     named = (claim for link in chain for reason in link.reasons for claim in reason.claims)
-    rules = rules_of([*put, *named])
+    rules = definitions((*put, *named))
     links = [says.right if link.expression is None else link.expression for link in chain]
     return [to_sympy(worked_out(put_in(e, rules))) for e in (says.left, *links)]
 
