@@ -417,7 +417,7 @@ def _is_defined_elsewhere(case: Case) -> bool:
     """Whether a letter was replaced by a definition outside its display: in W = int F dx = int k x
     dx another F may be meant than in F = -k x."""
     text = " ".join(map(str, case.sides[::2]))
-    read = {name.rstrip("_") for name in _TOKEN.findall(text)} | _CONSTANTS
+    read = {part for name in _TOKEN.findall(text) for part in name.split("_")} | _CONSTANTS
     lefts = {str(one.link.sides[0]) for one in case.others if one.link.sides} | _replaced(case)
     shown = mentions(case.row.link.shown.split())
     return any(
