@@ -428,6 +428,28 @@ def _is_defined_elsewhere(case: Case) -> bool:
 _CONSTANTS = frozenset("deiEC")
 
 
+def _is_solving(case: Case) -> bool:
+    """Whether it is one of the lines of a display that solves an equation in the same letters."""
+    if case.row.link.goes_on:
+        return False
+    lines = [
+        one
+        for one in case.others
+        if not one.link.goes_on and case.names and case.names <= _names(one.link.sides)
+    ]
+    unsolved = sum(one.status == "EQUATION" for one in lines)
+    return unsolved > 0 or sum(one.status in ACCUSED for one in lines) > 1
+
+
+def _names(sides: tuple[Expr, str, Expr] | None) -> set[str]:
+    return {*symbols(sides[0]), *symbols(sides[2])} if sides else set()
+
+
+def _is_at_place(case: Case) -> bool:
+    """Whether a letter stands alone before its value at a number, which then counts a place."""
+    return bool(re.search(r"\bat\((\w+), \1, ", " ".join(map(str, case.sides[::2]))))
+
+
 def _is_far(case: Case) -> bool:
     return "earlier sections" in case.row.why
 
@@ -488,6 +510,8 @@ DOUBTS = (
     Evidence("the dots in it may stand for something else", -1, _is_dotted),
     Evidence("a definition is substituted, which may not hold there", -1, _is_substituted),
     Evidence("the letter in its differential may be another one", -2, _is_of_other_letter),
+    Evidence("it may be a step of a solution", -3, _is_solving),
+    Evidence("a number behind a bar may count a place", -4, _is_at_place),
     Evidence("a definition from another display is substituted", -3, _is_defined_elsewhere),
     Evidence("a condition from another section is used", -1, _is_far),
     Evidence("each side has letters of its own, as an equation has", -2, _is_one_sided),
