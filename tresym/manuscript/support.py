@@ -441,6 +441,14 @@ def _is_solving(case: Case) -> bool:
     return unsolved > 0 or sum(one.status in ACCUSED for one in lines) > 1
 
 
+def _is_implying(case: Case) -> bool:
+    """Whether it stands alone in front of an arrow, as an equation does that is solved."""
+    link = case.row.link
+    after = (one.link for one in case.others if one.link.number == link.number + 1)
+    alone = not link.goes_on and not any(one.goes_on for one in after)
+    return alone and bool(re.search(r"\\(?:implies|(?:Long)?[rR]ightarrow)\b", link.display.text))
+
+
 def _names(sides: tuple[Expr, str, Expr] | None) -> set[str]:
     return {*symbols(sides[0]), *symbols(sides[2])} if sides else set()
 
@@ -511,6 +519,7 @@ DOUBTS = (
     Evidence("a definition is substituted, which may not hold there", -1, _is_substituted),
     Evidence("the letter in its differential may be another one", -2, _is_of_other_letter),
     Evidence("it may be a step of a solution", -3, _is_solving),
+    Evidence("what it implies may be a step of a solution", -2, _is_implying),
     Evidence("a number behind a bar may count a place", -4, _is_at_place),
     Evidence("a definition from another display is substituted", -3, _is_defined_elsewhere),
     Evidence("a condition from another section is used", -1, _is_far),
