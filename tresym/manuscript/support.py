@@ -519,7 +519,7 @@ DOUBTS = (
     Evidence("a definition is substituted, which may not hold there", -1, _is_substituted),
     Evidence("the letter in its differential may be another one", -2, _is_of_other_letter),
     Evidence("it may be a step of a solution", -3, _is_solving),
-    Evidence("what it implies may be a step of a solution", -2, _is_implying),
+    Evidence("what it implies may be a step of a solution", -3, _is_implying),
     Evidence("a number behind a bar may count a place", -4, _is_at_place),
     Evidence("a definition from another display is substituted", -3, _is_defined_elsewhere),
     Evidence("a condition from another section is used", -1, _is_far),
