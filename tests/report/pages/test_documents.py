@@ -8,14 +8,15 @@ from fractions import Fraction
 from pathlib import Path
 
 import pytest
-from sympy import Rational
 
 from tresym.ledger.claim import (
     Fault,
 )
+from tresym.ledger.formulas import sides_of
 from tresym.ledger.paper import all_claims, racket
 from tresym.ledger.paper import corrections as all_corrections
 from tresym.ledger.verification import Report, verify
+from tresym.reals.language.expression import Expr
 from tresym.reals.verdict import Verdict
 from tresym.report.pages import documents
 from tresym.report.pages.corrections import FAULTS, corrections
@@ -120,6 +121,12 @@ _NUMBER = re.compile(r"(?<![\w^(.])\d+(?:\.\d+|/\d+)?(?![\w)])")
 FINDINGS = [row for row in _ROW.findall(README) if "`" in row[0]]
 
 
+def numbers_in(e: Expr) -> set[Fraction]:
+    if e.op == "number":
+        return {Fraction(str(e.args[0]))}
+    return {q for part in e.args if isinstance(part, Expr) for q in numbers_in(part)}
+
+
 @pytest.mark.parametrize(("said", "verdict", "truth"), FINDINGS)
 def test_the_findings_of_the_readme_are_those_of_the_ledger(
     said: str, verdict: str, truth: str, whole: Report
@@ -132,7 +139,7 @@ def test_the_findings_of_the_readme_are_those_of_the_ledger(
     claims = [whole[label].claim for label in (*labels, *reasons)]
     told = " ".join(f"{claim.says} {claim.note}" for claim in claims)
     formulas = [e for c in claims for e in (c.statement, *c.given) if e is not None]
-    stated = {Fraction(str(q)) for e in formulas for q in e.atoms(Rational)}
+    stated = {q for side in sides_of(tuple(formulas)) for q in numbers_in(side)}
     text = re.sub(r"`\w+`|\]\([^)]*\)|ε₀|b²|I₃", "", f"{said} {truth}")
     for number in _NUMBER.findall(text):
         typed = Fraction(number)
