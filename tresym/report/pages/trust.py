@@ -81,8 +81,7 @@ def _answer(report: Report) -> list[str]:
         )
         + ". **For the other "
         f"{len(labels) - checked}** you have to trust Python, the library python-flint for "
-        "polynomials and ball arithmetic, SymPy, in whose expressions the claims of the ledger are "
-        "stored, and tresym. **For all of them** you have to agree that "
+        "polynomials and ball arithmetic, and tresym. **For all of them** you have to agree that "
         "the formula shown beside a sentence of the paper says what the sentence says.",
         "",
         f"Code that issues verdicts can reach {trusted():,} lines of tresym. Comments, docstrings "
