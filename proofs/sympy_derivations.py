@@ -28,6 +28,11 @@ class Step(NamedTuple):
     result: Expr
     how: str
 
+    @property
+    def written(self) -> Expr:
+        """The result in symbols of which nothing is assumed, as it is printed."""
+        return self.result.xreplace({s: Symbol(s.name) for s in self.result.atoms(Symbol)})
+
 
 def rotation() -> Matrix:
     """R = R_z(φ) R_y(θ) R_z(ψ), from components along (e₂, e₃, e₁) to those along (X, Y, Z)."""

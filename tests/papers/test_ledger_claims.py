@@ -419,8 +419,10 @@ fails: x*y == O(x**3 + y**3) as (x, y) -> (0, 0) expect refuted at x == t, y == 
 holds: x*y == O(x**2 + y**2) as (x, y) -> (0, 0) expect refuted at x == t, y == t
 """,
     )
-    assert part.below.means.path == Along("x", ZERO, (-1,))
-    assert part.both.means.path == Along("", ZERO, (1,), together=("x", "y"), points=(ZERO, ZERO))
+    assert part.below.statement.path == Along("x", ZERO, (-1,))
+    assert part.both.statement.path == Along(
+        "", ZERO, (1,), together=("x", "y"), points=(ZERO, ZERO)
+    )
     found = verdicts(part)
     assert found.pop("below") == found.pop("fails") == "REFUTED"
     assert found.pop("holds") == "UNDECIDED"

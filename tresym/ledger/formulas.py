@@ -18,6 +18,8 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, TypeAlias
 
+from flint import fmpq
+
 from tresym.reals.language import sympy as sympy_reader
 from tresym.reals.language.binders import ordered, outermost
 from tresym.reals.language.calls import INFINITY
@@ -40,6 +42,7 @@ from tresym.reals.language.expression import (
     symbols,
 )
 from tresym.reals.language.formula import Relation
+from tresym.reals.language.like_terms import scaled
 from tresym.reals.language.named_claims import Conserved, Equilibrium, Extremum
 from tresym.reals.language.paths import Path
 from tresym.reals.numbers.exact import InputError
@@ -137,10 +140,10 @@ Says: TypeAlias = (
 def in_order(e: Expr) -> Expr:
     """Return an expression in the form in which the ledger compares expressions.
 
-    Terms and factors stand in one order, a number is multiplied into a sum, reciprocals of
-    products and of roots are written as products and powers, sine and cosine of an arctangent, a
-    right angle from it too, are roots, and those of right angles numbers. The form is defined where
-    the expression is.
+    Like terms and factors are collected and stand in one order, a number is multiplied into a sum,
+    reciprocals of products and of roots are written as products and powers, sine and cosine of an
+    arctangent, a right angle from it too, are roots, and those of right angles numbers. The form is
+    defined where the expression is.
 
     Example:
         >>> from tresym.reals.language.parsing import parse
@@ -157,6 +160,8 @@ def _place(op: str, e: Expr) -> tuple[bool, int]:
     negative = e.op == "number" and e.args[0] < 0
     negative = negative or (e.op == "*" and e.args[0].op == "number" and e.args[0].args[0] < 0)
     kinds = {"number": 0 if op == "*" else 3, "pi": 1, "symbol": 1, "*": 2, "^": 2, "+": 4}
+    if op == "*" and e.op == "^" and e.args[0].op != "symbol":
+        return False, 3
     return op == "+" and negative, kinds.get(e.op, 3 if op == "*" else 2)
 
 
@@ -172,6 +177,12 @@ def _multiplied(e: Expr) -> Expr:
             inner, r = base.args[0], base.args[1].args[0]
             if r.q > 1 and (r > 0 and (r * n).q > 1 if n < 0 else _is_positive(inner)):
                 return power(inner, number(r * n))
+    if e.op in ("+", "*"):
+        args = factors_in(_alike(e.op, args)) if e.op == "*" else args
+        e = _alike(e.op, args)
+        if e.op not in ("+", "*"):
+            return e
+        args = e.args
     if e.op == "*" and len(args) == 2:
         factor, total = args
         if factor.op == "number" and factor != ZERO and total.op == "+":
@@ -183,6 +194,29 @@ def _multiplied(e: Expr) -> Expr:
         if (root := _of_arctangent(e.op, args[0])) is not None:
             return root
     return rebuild(e, args)
+
+
+def _alike(op: str, args: tuple[Expr, ...]) -> Expr:
+    """A sum with equal terms as multiples, or a product with equal factors as powers.
+
+    What cancels, as in x - x, stays, as it may have no value.
+    """
+    if op == "+":
+        terms = [scaled(term) for term in args]
+        found: dict[Expr, fmpq] = {}
+        for share, rest in terms:
+            found[rest] = found.get(rest, fmpq(0)) + share
+        gone = {rest for rest, share in found.items() if share == 0}
+        kept = [number(share) * rest for share, rest in terms if rest in gone]
+        whole = (number(share) * rest for rest, share in found.items() if rest not in gone)
+        return add(*whole, *kept)
+    powers: dict[tuple[Expr, bool], int] = {}
+    for factor in args:
+        n = integer(factor.args[1]) if factor.op == "^" else None
+        base, n = (factor.args[0], n) if n is not None and n != 0 else (factor, 1)
+        key = base, n > 0
+        powers[key] = powers.get(key, 0) + n if base.op != "number" else n
+    return multiply(*(power(base, number(n)) for (base, _), n in powers.items()))
 
 
 def _right_angles(angle: Expr) -> int | None:

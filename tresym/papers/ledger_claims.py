@@ -83,6 +83,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -115,7 +116,7 @@ from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.interval_evaluation import Evaluated
 from tresym.ledger.evidence.refutation import Denied
 from tresym.ledger.evidence.remainders import Remainder
-from tresym.ledger.evidence.sign_prover import with_single_powers
+from tresym.ledger.evidence.sign_prover import shortened
 from tresym.ledger.formulas import (
     Condition,
     EqualMatrices,
@@ -582,6 +583,9 @@ class PartReader(Reader):
         if isinstance(proof, Root) and len(equations) != len(proof.says.parts):
             raise InputError("a root is defined on a line of its own")
         if equations:
+            bounds = tuple(c for c in given if isinstance(c, Relation) and c.sign != "==")
+            if not isinstance(proof, Root):
+                equations = [mapped(equation, partial(_short, bounds)) for equation in equations]
             fields = {"says": together(equations), "given": tuple(given), "proof": proof}
             self._state(line, label, place, fields)
         else:
@@ -643,7 +647,13 @@ class PartReader(Reader):
         steps = self._steps(self._clause_free(written), says, uses)
         given = [*self._declared_about((says, *given)), *given]
         bounds = tuple(c for c in given if isinstance(c, Relation) and c.sign != "==")
-        says = mapped(says, lambda e: in_order(with_single_powers(e, bounds)))
+        short = partial(_short, bounds)
+        if not any(isinstance(part, EqualMatrices) for part in parts_of(says)):
+            says = mapped(says, short)  # what is written out stays so
+        steps = tuple(
+            tuple(replace(k, expression=mapped(k.expression, short)) for k in chain)
+            for chain in steps
+        )
         fields |= {"says": says, "given": tuple(given)}
         at = clauses.get("at", "")
         along, beside = self._along(at) if at and isinstance(says, Tending) else ({}, None)
@@ -1005,6 +1015,11 @@ def _bound_as_named(e: Expr) -> Expr:
         return e
     args = tuple(map(_bound_as_named, e.args))
     return Expr(e.op, args, tuple(map(_named, e.names))) if e.names else rebuild(e, args)
+
+
+def _short(given: tuple[Relation, ...], e: Expr) -> Expr:
+    """An expression that the conditions allow to be written shorter."""
+    return in_order(shortened(e, given))
 
 
 def _named(name: str) -> str:

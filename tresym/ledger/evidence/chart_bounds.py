@@ -38,7 +38,7 @@ from tresym.ledger.conversion import (
 from tresym.ledger.evidence.box_bounds import Boxes, closed, decimal, decisions_of
 from tresym.ledger.evidence.integrals import NotShownError, with_bounds
 from tresym.ledger.evidence.premises import instantiated, unmet_condition
-from tresym.ledger.evidence.sign_prover import is_manifest, undefined, with_single_powers
+from tresym.ledger.evidence.sign_prover import is_manifest, shortened, undefined
 from tresym.ledger.finding import Finding
 from tresym.ledger.formulas import Condition, in_order, in_trees, mapped, parts_of, relations_of
 from tresym.ledger.reasons import citing
@@ -428,7 +428,7 @@ def _unread(reading: Reading) -> str | None:
         found = program.meaning(
             at, lambda op, args, body=None: _meaning(op, args, body, reading.inner, given)
         )
-        found = with_single_powers(found, given)  # as claims are written
+        found = shortened(found, given)  # as claims are written
         return _different(_put_in(found, rules, meant), _put_in(value, rules, meant), meant)
     step = reading.step
     if step.meaning is not None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from tresym.ledger.conversion import Conditions, known
 from tresym.ledger.formulas import in_order
 from tresym.reals.language.binders import generalised
-from tresym.reals.language.expression import LEAVES, ZERO, Expr, number, rebuild
+from tresym.reals.language.expression import LEAVES, ZERO, Expr, multiply, number, rebuild
 from tresym.reals.language.formula import Relation
 from tresym.reals.language.like_terms import collected
 from tresym.reals.signs import definedness
@@ -52,18 +52,22 @@ def is_manifest(relation: Relation, given: Conditions) -> bool:
 
 def undefined(e: Expr, given: Conditions) -> Expr | None:
     """Return the first subexpression that is not shown to be defined under ``given``, or None."""
-    return definedness.undefined(with_single_powers(e, given), known(given))
+    return definedness.undefined(shortened(e, given), known(given))
 
 
-def with_single_powers(e: Expr, given: Conditions) -> Expr:
-    """Return the expression with 1/√x and such as one power of x, where x is shown positive.
+def shortened(e: Expr, given: Conditions) -> Expr:
+    """Return the expression with (√x)⁻³ and such as one power of x, where x is shown positive.
 
-    It is defined where the expression is.
+    A product with a factor 0 is 0 where the others are shown to have values. The result has a value
+    where the expression has one.
     """
     if e.op in LEAVES or e.names:
         return e
-    args = tuple(with_single_powers(arg, given) for arg in e.args)
+    args = tuple(shortened(arg, given) for arg in e.args)
     e = e if args == e.args else rebuild(e, args)
+    if e.op == "*" and e.args[0] == ZERO:
+        defined = definedness.undefined(multiply(*e.args[1:]), known(given)) is None
+        return ZERO if defined else e
     inner = e.args[0] if e.op == "^" else e
     if e.op != "^" or inner.op != "^" or {e.args[1].op, inner.args[1].op} != {"number"}:
         return e

@@ -189,7 +189,7 @@ def _derived_otherwise() -> Iterator[str]:
         yield rf"\paragraph{{{prose(title)}.}}"
         yield r"\begin{enumerate}[leftmargin=*,itemsep=2pt]\small\raggedright"
         for step in steps:
-            formula = f"{step.name} = {expression_latex(step.result)}"
+            formula = f"{step.name} = {expression_latex(step.written)}"
             if width(formula) < LINE / 2:
                 yield rf"\item ${formula}$, {prose(step.how)}."
             else:
