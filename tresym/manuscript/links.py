@@ -152,7 +152,8 @@ class _Reading(LinkReader):
                 if isinstance(beyond, Display) and prose.is_of_next(after):
                     after = ""
                 text = before, after, scope
-                noted = self.orders.kind
+                # what follows from displays that the author names is claimed
+                noted = self.orders.kind or (prose.CLAIM if self.orders.sources else "")
                 self.memory.line = event.line
                 found = [
                     replace(
