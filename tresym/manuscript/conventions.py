@@ -89,7 +89,7 @@ _TABLE = (
     ),
     (
         r"\b(?:boolean|commutative|quotient|polynomial|factor|unital)[\s~]+rings?\b|\brings?[\s~]+"
-        r"(?:\$\s*[A-Z]\s*\$|\$[^$]*\$[\s~]+(?:is|are)\b|with[\s~]+(?:unity|identity|zero)\b)"
+        r"(?:\$\s*(?-i:[A-Z])\s*\$|\$[^$]*\$[\s~]+(?:is|are)\b|with[\s~]+(?:unity|identity|zero)\b)"
         r"|\$[^$]*\$[\s~]+(?:is|are|be)[\s~]+(?:an?[\s~]+)?rings?\b|\bintegral[\s~]+domain"
         r"|\b(?:group|ring)?[\s~]*homomorphisms?\b|\bdivisors?[\s~]+of[\s~]+zero\b"
         r"|\bzero[\s~-]+divisors?\b",
