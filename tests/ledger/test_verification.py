@@ -25,9 +25,10 @@ from tresym.ledger.claim import (
 )
 from tresym.ledger.conversion import put_in
 from tresym.ledger.evidence.decided import Decided
+from tresym.ledger.finding import Finding
 from tresym.ledger.formulas import binders_in, is_equation, mapped, relations_of, sides_of
 from tresym.ledger.paper import all_claims, racket
-from tresym.ledger.verification import Report, graph, verify
+from tresym.ledger.verification import Report, Row, graph, verify
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import elementary
 from tresym.reals.language.compound import Somewhere
@@ -270,3 +271,12 @@ def _without_times(value: Any) -> Any:
     if isinstance(value, dict):
         return {k: _without_times(v) for k, v in value.items() if k != "seconds"}
     return [_without_times(v) for v in value] if isinstance(value, list) else value
+
+
+def test_a_claim_that_should_hold_is_no_check_of_sharpness() -> None:
+    """Only what is false on purpose is counted as one."""
+    false = next(c for c in CLAIMS if c.expect is Verdict.REFUTED and not c.where)
+    found = Finding(Verdict.REFUTED, "")
+    for expected, count in ((Verdict.REFUTED, 1), (Verdict.PROVED, 0)):
+        report = Report((Row(replace(false, expect=expected), found),))
+        assert sum(report.refuted.values()) == count

@@ -112,7 +112,8 @@ class Report:
 
         ``paper`` counts statements of the paper that do not hold as printed; ``stricter`` counts
         readings that are stricter than the paper's words; ``sharpness`` counts auxiliary claims
-        that are false on purpose, to show that a bound cannot be improved.
+        that are false on purpose, to show that a bound cannot be improved. A claim that was
+        expected to hold is none of them.
 
         Example:
             >>> import tresym
@@ -122,7 +123,7 @@ class Report:
         kinds = Counter(
             "stricter" if row.claim.paper_says else "paper" if row.claim.where else "sharpness"
             for row in self.rows
-            if row.finding.verdict is Verdict.REFUTED
+            if row.finding.verdict is row.claim.expect is Verdict.REFUTED
         )
         return {kind: kinds[kind] for kind in ("paper", "stricter", "sharpness")}
 
