@@ -5,6 +5,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tresym.reals.domain.conditions import Given
+from tresym.reals.domain.operation_domains import bound
+from tresym.reals.language.expression import number
+from tresym.reals.language.parsing import parse
 from tresym.reals.signs.closure import is_regular
 
 REGULAR = {
@@ -76,6 +79,13 @@ def test_conditions_with_no_points_but_limits_of_inner_ones(name: str) -> None:
 @pytest.mark.parametrize("name", SINGULAR)
 def test_conditions_of_which_it_is_not_shown(name: str) -> None:
     assert not is_regular(Given.parse(SINGULAR[name]))
+
+
+@pytest.mark.parametrize("integrand", ["sqrt(t*x**2*(x - 1))", "1/sqrt(a + b*sin(t)**2)"])
+def test_a_condition_on_a_bound_variable_is_no_condition_on_the_others(integrand: str) -> None:
+    """The first has a value at x = 0 and for x >= 1."""
+    plain = parse(f"integral({integrand}, t, 0, 1)")
+    assert not is_regular(Given((bound(number(5) - plain, ">"),)))
 
 
 FACTORS = st.lists(st.tuples(st.integers(-3, 3), st.integers(1, 3)), min_size=1, max_size=3)

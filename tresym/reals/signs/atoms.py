@@ -81,8 +81,8 @@ class Atoms:
             return above / below
         if op in _EVEN or op in _ODD or op == "exp":
             return self._function(op, args[0])
-        if op in UNWORKED:
-            raise TooLargeError("an operation that binds a variable cannot be an atom")
+        if op in UNWORKED or op == "bound":
+            raise TooLargeError("neither a binder nor a bound variable can be an atom")
         return self.ring.fraction(self.ring.generator(op, tuple(map(self._key, args)), (e,)))
 
     def _key(self, e: Expr | str) -> tuple[str, str] | str:

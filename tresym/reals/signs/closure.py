@@ -62,7 +62,9 @@ def is_regular(given: Given) -> bool:
     spoken_of = tuple(c.expression for c in given.conditions)
     if jumps(spoken_of, given):
         return False
-    needed = (part for part in needs(spoken_of) if sign(part[0], Given()) not in PROVING[part[1]])
+    needed = [part for part in needs(spoken_of) if sign(part[0], Given()) not in PROVING[part[1]]]
+    if any(e.loose for e, _ in needed):  # it speaks of a bound variable
+        return False
     given = given & Given(tuple(bound(*part) for part in needed))
     closed = [c.expression for c in given.beyond_box if c.relation == ">="]
     if not closed or all(map(_is_concave, closed)):
