@@ -141,3 +141,11 @@ def test_symbols_without_letters_are_compared_as_well(tmp_path: Path) -> None:
 )
 def test_notation_of_expansions(text: str, plain: str) -> None:
     assert " ".join(plain_notation(text).split()) == " ".join(plain.split())
+
+
+def test_a_prime_behind_a_function_of_two_variables_is_unread(tmp_path: Path) -> None:
+    r"""By which one f'(0, t) is differentiated, it does not say; the line after it is judged."""
+    text = r"\[ \int_0^1 f(s) ds + f'(0, t) = f(0, t) \] Also \[ (x + 1)^2 = x^2 + 2x + 1 \]"
+    first, second = read(tmp_path, text)
+    assert (first.status, second.status) == ("UNREAD", "PROVED")
+    assert "several arguments" in first.why

@@ -888,7 +888,10 @@ def read_primed(cursor: Cursor, name: str, primes: int) -> Piece:
     known = cursor.author.derivative(name, "", primes) if cursor.author else None
     if known is None or cursor.author is None:
         if cursor.peek() == "(" and not cursor.guesses:
-            return Piece(unknown(name, tuple(read_arguments(cursor)), (primes,)))
+            arguments = tuple(read_arguments(cursor))
+            if len(arguments) != 1:
+                cursor.refuse("a prime does not say by which of several arguments,")
+            return Piece(unknown(name, arguments, (primes,)))
         called = f"{name}_prime{'' if primes == 1 else primes}"
         return Piece(symbol(called), symbol=called)
     if cursor.peek() != "(":
