@@ -532,3 +532,12 @@ def test_markdown_has_displays_inside_dollars(tmp_path: Path) -> None:
     $$ \begin{equation*} 1 + 1 = 3 \end{equation*} $$ Not closed: $$ 1 + 1 = 2
     \begin{align} 2 + 2 &= 4 \end{align}"""
     assert statuses(tmp_path, text) == ["PROVED", "REFUTED", "REFUTED", "UNREAD", "PROVED"]
+
+
+def test_both_signs_of_another_value_are_unread(tmp_path: Path) -> None:
+    """A display that begins with an equality sign goes on from words between, for each sign."""
+    text = r"""The integral is
+\[ \int x (1 \mp x)\, dx = \frac{x^2}{2} \mp \frac{x^3}{3} + C \]
+47. Next, $\int x (2 \mp x)\, dx$ is wanted.
+\[ = x^2 \mp \frac{x^3}{3} + C \]"""
+    assert statuses(tmp_path, text) == ["PROVED", "PROVED", "UNREAD", "UNREAD"]

@@ -273,6 +273,7 @@ class _Reading(LinkReader):
         for self.position, (said, under) in enumerate(groups):
             alone = said.row < last and not (said.conditions or under)
             open_sign = {"\\pm", "\\mp"} & {*said.tokens} and not said.either
+            opens = loosely and leads and not count
             for sign in "+-" if open_sign else " ":
                 one = said.signed(sign) if sign != " " else said
                 two = one.terms[0] != said.terms[0] and self.memory.head(one.terms[0]) is not None
@@ -280,10 +281,11 @@ class _Reading(LinkReader):
                 known = self.kinds.known(one.tokens, self.place)
                 start = replace(blank, shown="", symbols=known)
                 found_links = self.chain(start, one, under, around, several)
-                for link in islice(found_links, int(bool(leads) and self.position == 0), None):
+                found_links = islice(found_links, int(bool(leads) and self.position == 0), None)
+                for n, link in enumerate(found_links):
                     count += 1
                     firm = link.firm and not alone  # the condition of a later row may be meant
-                    if loosely and leads and count == 1:
+                    if opens and n == 0:
                         link = replace(link, same=False, goes_on=False, otherwise=LOOSE)
                         firm = False
                     if said.worked and link.same and not (said.before or alone):
