@@ -33,8 +33,8 @@ from tresym.ledger.conversion import (
     put_in,
     put_into,
     stage,
-    tree,
 )
+from tresym.ledger.formulas import in_trees
 from tresym.reals.domain.conditions import Given
 from tresym.reals.language.binders import generalised, worked_out
 from tresym.reals.language.expression import ONE
@@ -90,8 +90,8 @@ def test_circles_are_refused(rules: dict[str, str]) -> None:
 def test_what_is_put_in_is_not_captured(
     e: Basic, rule: tuple[Basic, Basic], expected: Basic
 ) -> None:
-    left, right = map(tree, rule)
-    found, wanted = generalised(put_in(tree(e), {left: right}), tree(expected))
+    left, right = map(in_trees, rule)
+    found, wanted = generalised(put_in(in_trees(e), {left: right}), in_trees(expected))
     assert found == wanted
 
 
@@ -123,7 +123,7 @@ def test_a_symbol_for_a_function_of_what_is_bound_is_seen(
     e: Basic, behind: str, found: str | None
 ) -> None:
     """∫ y dt with y = t + 1 is y for a tree, and 3/2 for a reader."""
-    assert misread(tree(e), {"y": frozenset(behind)}) == found
+    assert misread(in_trees(e), {"y": frozenset(behind)}) == found
 
 
 @pytest.mark.parametrize(
@@ -142,28 +142,28 @@ def test_a_symbol_for_a_function_of_what_is_bound_is_seen(
     ids=str,
 )
 def test_what_is_not_opened_is_itself_alone(one: Basic, other: Basic, same: bool) -> None:
-    left, right = generalised(tree(one), tree(other))
+    left, right = generalised(in_trees(one), in_trees(other))
     assert (left == right) is same
 
 
 def test_derivatives_and_values_open_where_they_may() -> None:
-    assert worked_out(tree(Derivative(x**2, x))) == parse("2*x")
-    assert worked_out(tree(Subs(x**2 + y, (x, y), (3, z)))) == parse("9 + z")
-    kept = tree(Derivative(Integral(x * t, (t, 0, 1)), x))
+    assert worked_out(in_trees(Derivative(x**2, x))) == parse("2*x")
+    assert worked_out(in_trees(Subs(x**2 + y, (x, y), (3, z)))) == parse("9 + z")
+    kept = in_trees(Derivative(Integral(x * t, (t, 0, 1)), x))
     assert worked_out(kept) == kept
-    free = tree(Derivative(y * Integral(t, (t, 0, 1)), y))
-    assert worked_out(free) == tree(Integral(t, (t, 0, 1)))
+    free = in_trees(Derivative(y * Integral(t, (t, 0, 1)), y))
+    assert worked_out(free) == in_trees(Integral(t, (t, 0, 1)))
 
 
 def test_a_function_that_is_not_known_is_refused() -> None:
     with pytest.raises(InputError, match="unknown"):
-        tree(Function("f")(x))
+        in_trees(Function("f")(x))
 
 
 def test_a_symbol_that_stands_for_a_function_is_misread_at_a_point() -> None:
     """The value of y at x = 0 would be y, where y is a function of x."""
-    assert misread(tree(Subs(y, x, 0)), {"y": frozenset("x")}) == "y"
-    assert misread(tree(Subs(y, x, 0)), {"y": frozenset("z")}) is None
+    assert misread(in_trees(Subs(y, x, 0)), {"y": frozenset("x")}) == "y"
+    assert misread(in_trees(Subs(y, x, 0)), {"y": frozenset("z")}) is None
 
 
 def test_conditions_are_those_of_the_engine() -> None:

@@ -4,8 +4,8 @@ import pytest
 from flint import fmpq
 from tresym.proofs import turning
 
-from tresym.ledger.conversion import tree
 from tresym.ledger.evidence.at_point import place_of
+from tresym.ledger.formulas import in_trees
 from tresym.racket.flip.defect import defect_on
 from tresym.racket.motion.orbit import exact_level
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -21,6 +21,6 @@ def test_a_motion_that_turns_several_times(level: str) -> None:
     at = {"a": LONG[0], "b": LONG[1], "gamma": gamma}
     with ball_precision(128):
         found = defect_on(*LONG, exact_level(*LONG, gamma))
-        shown = place_of(at, (turning.one_time,)).value(tree(turning.flip_defect_on_level))
+        shown = place_of(at, (turning.one_time,)).value(in_trees(turning.flip_defect_on_level))
         assert shown.is_finite()
         assert abs(shown - found) < 1e-18

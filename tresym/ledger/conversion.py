@@ -45,10 +45,6 @@ class CircularError(ValueError):
     """Definitions are circular, or a substitution would capture a bound variable."""
 
 
-tree = in_trees
-"""Return the tree of an expression, without evaluating or simplifying anything."""
-
-
 def formula(says: Any) -> Formula:
     """Return the formula of a statement.
 

@@ -92,13 +92,13 @@ def _equations(claim: Claim) -> Iterator[Relation]:
     variable in place of the bound one.
     """
     if isinstance(claim.proof, Root):
-        new, root = str(claim.proof.symbol), in_trees(claim.proof.unique.statement)
+        new, root = str(claim.proof.symbol), claim.proof.unique.statement
         if isinstance(root, Count) and root.equation[1] == "==":
             left, _, right = root.equation
             stand_in = symbol(f"[{new}]")
             yield Relation(symbol(new), "==", substitute(left - right, {root.name: stand_in}))
         return
-    parts = (part for part in parts_of(in_trees(claim.says)) if is_equation(part))
+    parts = (part for part in parts_of(claim.says) if is_equation(part))
     yield from (entry for part in parts for entry in relations_of(part))
 
 
@@ -140,7 +140,7 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
     given, entries = conditions(claim.given), table((claim,))
     if known(given).satisfying_point() is None:
         return "no exact point was found that satisfies the conditions; check the conditions"
-    says = in_trees(claim.says)
+    says = claim.says
     if not all(map(is_equation, parts_of(says))):
         return "a definition must consist of equations"
     explicit = {e.symbol: e.meaning for e in entries if e.symbol.op == "symbol"}
@@ -164,14 +164,15 @@ def _ill_defined(claim: Claim, proof: Definition) -> str | None:
 
 def _no_root(claim: Claim, proof: Root) -> str | None:
     """Return why the symbol does not name the unique root, or None if it does."""
-    unique, new = in_trees(proof.unique.statement), str(proof.symbol)
+    unique: Any = proof.unique.statement
+    new = str(proof.symbol)
     shown = proof.unique.expect is Verdict.PROVED and proof.unique.given == claim.given
     exact = isinstance(unique, Count) and unique.how == "exactly one"
     if not shown or not exact or unique.equation[1] != "==":
         return "no claim with the same conditions proves that there is exactly one root"
-    if in_trees(claim.says) != in_trees(proof.says):
+    if claim.says != in_trees(proof.says):
         return "the statement must be the equation of the root and the interval that contains it"
-    asked = (*unique.equation[::2], unique.low, unique.high, *map(in_trees, claim.given))
+    asked = (*unique.equation[::2], unique.low, unique.high, *claim.given)
     if new in names_of(*asked):
         return f"{new} is not a new symbol"
     earlier = {entry.symbol for entry in table(claim.rests_on)}

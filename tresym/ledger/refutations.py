@@ -108,7 +108,7 @@ def all_facts_behind(claim: Claim) -> tuple[Any, ...]:
     if not elsewhere and any(used.get(c.label, c) is not c for c in claim.rests_on):
         return facts_used(claim)
     known = dict.fromkeys(c for d in (*used.values(), *uses) for c in map(in_trees, d.given))
-    known.update((p, None) for d in used.values() for p in parts_of(in_trees(d.says)))
+    known.update((p, None) for d in used.values() for p in parts_of(d.says))
     return tuple(known)
 
 

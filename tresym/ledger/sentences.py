@@ -20,7 +20,6 @@ from hashlib import sha256
 from pathlib import Path
 
 from tresym.ledger.claim import AllOf, Claim
-from tresym.ledger.formulas import in_trees
 from tresym.ledger.paper import file_of
 
 STORE = "sentences.json"
@@ -29,7 +28,7 @@ STORE = "sentences.json"
 def meaning(claim: Claim) -> str:
     """Return the formula of a claim with its conditions, or those of the claims it rests on."""
     if claim.statement is not None and not isinstance(claim.proof, AllOf):
-        return f"{in_trees(claim.statement)!r} given {tuple(map(in_trees, claim.given))!r}"
+        return f"{claim.statement!r} given {claim.given!r}"
     parts = claim.uses if claim.statement is None or isinstance(claim.proof, AllOf) else ()
     return "; ".join(f"{part.label}: {meaning(part)}" for part in parts)
 

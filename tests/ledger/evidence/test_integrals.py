@@ -34,7 +34,7 @@ from tresym.ledger.claim import (
     ImplicitFunction,
     Reason,
 )
-from tresym.ledger.conversion import known, tree
+from tresym.ledger.conversion import known
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.integrals import (
     NotShownError,
@@ -43,6 +43,7 @@ from tresym.ledger.evidence.integrals import (
     without_integrals,
 )
 from tresym.ledger.finding import Finding, Premise
+from tresym.ledger.formulas import in_trees
 from tresym.ledger.judge import judge
 from tresym.ledger.reasons import (
     changing_variable,
@@ -421,11 +422,11 @@ def test_a_condition_that_holds_an_integral_is_met_or_not() -> None:
 
 def test_balls_differentiate_integrals_by_leibniz_alone() -> None:
     """SymPy's own integrals are never asked for: some of them are wrong."""
-    found = value(tree(by_parameter(exp(x * t) * cos(t), 0, x)), {"x": arb(1)})
-    inside = value(tree(area(t * exp(x * t) * cos(t), 0, x)), {"x": arb(1)})
+    found = value(in_trees(by_parameter(exp(x * t) * cos(t), 0, x)), {"x": arb(1)})
+    inside = value(in_trees(area(t * exp(x * t) * cos(t), 0, x)), {"x": arb(1)})
     assert found.overlaps(inside + arb(1).exp() * arb(1).cos())
-    assert not value(tree(Subs(by_parameter(1 / (t + x), -1, 1), x, 0)), {}).is_finite()
-    assert value(tree(Subs(sin(x), x, pi)), {}).contains(0)
+    assert not value(in_trees(Subs(by_parameter(1 / (t + x), -1, 1), x, 0)), {}).is_finite()
+    assert value(in_trees(Subs(sin(x), x, pi)), {}).contains(0)
 
 
 def test_what_holds_of_one_integral_holds_of_no_other() -> None:
@@ -504,7 +505,7 @@ def test_no_root_is_looked_for_where_a_symbol_is_defined() -> None:
 
 
 def test_sums_of_another_length_are_not_alike() -> None:
-    one, other = (tree(e) for e in (area(exp(t**2)) + x, area(exp(t**2)) + x + y))
+    one, other = (in_trees(e) for e in (area(exp(t**2)) + x, area(exp(t**2)) + x + y))
     assert under_binder(one, one, ())
     assert not under_binder(one, other, ())
 
@@ -584,7 +585,7 @@ ALONE = {
 @pytest.mark.parametrize(("before", "after", "reason", "why"), ALONE.values(), ids=ALONE)
 def test_a_rule_refuses_by_itself(before: Basic, after: Basic, reason: Reason, why: str) -> None:
     with pytest.raises(NotShownError, match=why):
-        without_integrals(tree(before), tree(after), (reason,), ())
+        without_integrals(in_trees(before), in_trees(after), (reason,), ())
 
 
 def test_a_rule_by_itself_does_what_it_should() -> None:
@@ -595,16 +596,16 @@ def test_a_rule_by_itself_does_what_it_should() -> None:
         (area(t + 3 * t**2), area(t) + 3 * area(t**2), collecting()),
         (area(t), ONE / 2, integrating(t**2 / 2)),
     ):
-        one, other = without_integrals(tree(before), tree(after), (reason,), ())
+        one, other = without_integrals(in_trees(before), in_trees(after), (reason,), ())
         assert decide_continuous(*generalised(one, other), known(())).verdict is Verdict.PROVED
 
 
 def test_each_part_has_a_value() -> None:
     slope, pole = Subs(Derivative(y**3, y), y, 2), Subs(Derivative(log(y), y), y, 0)
-    need_value(tree(slope * t), ())
+    need_value(in_trees(slope * t), ())
     for hidden in (slope + pole, pole + slope, Subs(1 / y, y, 0) + slope, slope + 1 / (t - t**2)):
         with pytest.raises(NotShownError):
-            need_value(tree(hidden), ())
+            need_value(in_trees(hidden), ())
     with pytest.raises(NotShownError, match=r"could not show that .* exists"):
         need_value(parse("limit(sin(1/x), x, 0)"), ())
 
@@ -614,4 +615,4 @@ def test_a_bound_of_what_is_defined_is_not_cited_inside() -> None:
     below = Claim("below", t < 1, by(substituting(half)))
     says = area((1 - t) ** -2, 0, 5)
     with pytest.raises(NotShownError, match="is about a symbol that is bound here"):
-        without_integrals(tree(says), tree(ONE), (integrating(1 / (1 - t), below),), ())
+        without_integrals(in_trees(says), in_trees(ONE), (integrating(1 / (1 - t), below),), ())

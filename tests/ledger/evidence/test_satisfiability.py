@@ -22,8 +22,9 @@ from sympy import (
     sqrt,
 )
 
-from tresym.ledger.conversion import Rules, tree
+from tresym.ledger.conversion import Rules
 from tresym.ledger.evidence.satisfiability import BITS, Place, _integral, hold, satisfiable
+from tresym.ledger.formulas import in_trees
 from tresym.reals.language.formula import Relation
 from tresym.reals.language.parsing import parse
 from tresym.reals.numbers.arithmetic import ball_precision
@@ -124,7 +125,7 @@ def test_nothing_but_symbols_is_put_in() -> None:
 
 def area(f: Basic, low: object, high: object, **at: object) -> arb:
     with ball_precision(BITS):
-        return _integral(tree(Integral(f, (t, low, high))), {n: arb(v) for n, v in at.items()})
+        return _integral(in_trees(Integral(f, (t, low, high))), {n: arb(v) for n, v in at.items()})
 
 
 @pytest.mark.parametrize(
@@ -170,7 +171,7 @@ def test_a_parameter_runs_through_its_segment() -> None:
 
 @pytest.mark.parametrize("f", [x / t**2, x * sympy.sign(t), x * log(t - 1)], ids=str)
 def test_no_root_of_an_integral_that_is_not_shown_to_exist(f: Basic) -> None:
-    relation = Relation(tree(Integral(f, (t, -1, 1))), "==", parse("-2"))
+    relation = Relation(in_trees(Integral(f, (t, -1, 1))), "==", parse("-2"))
     assert not hold([relation], {}, [at(x=("1/2", "3/2"))])
-    plain = Relation(tree(Integral(-x * t**2, (t, -1, 1))), "==", parse("-2/3"))
+    plain = Relation(in_trees(Integral(-x * t**2, (t, -1, 1))), "==", parse("-2/3"))
     assert hold([plain], {}, [at(x=("1/2", "3/2"))])

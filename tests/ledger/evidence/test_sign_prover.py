@@ -18,15 +18,16 @@ from sympy import (
     sqrt,
 )
 
-from tresym.ledger.conversion import conditions, tree
+from tresym.ledger.conversion import conditions
 from tresym.ledger.evidence import sign_prover
+from tresym.ledger.formulas import in_trees
 from tresym.reals.language.formula import Relation
 
 b, t, x, y = (Symbol(name, real=True) for name in "btxy")
 
 
 def manifest_sign(e: Expr, given: tuple[Basic, ...]) -> str | None:
-    return sign_prover.manifest_sign(tree(e), conditions(given))
+    return sign_prover.manifest_sign(in_trees(e), conditions(given))
 
 
 PINNED = (b > 0, y > -b, x >= y, x <= y)
@@ -92,14 +93,14 @@ def test_what_may_be_negative_has_no_sign(e: Expr, given: tuple[Basic, ...]) -> 
 
 
 def test_a_condition_states_a_sign_where_it_is_a_bound() -> None:
-    assert sign_prover.is_stated(tree(x - y), conditions((x >= y,)))
+    assert sign_prover.is_stated(in_trees(x - y), conditions((x >= y,)))
     for unlike in (Ne(x, y), x <= y, x > y + 1):
-        assert not sign_prover.is_stated(tree(x - y), conditions((unlike,)))
+        assert not sign_prover.is_stated(in_trees(x - y), conditions((unlike,)))
 
 
 def test_no_equation_is_manifest() -> None:
     for left, right in ((x, x), (x, y)):
-        relation = Relation(tree(left), "==", tree(right))
+        relation = Relation(in_trees(left), "==", in_trees(right))
         assert not sign_prover.is_manifest(relation, conditions((x >= y, x <= y)))
 
 
@@ -107,11 +108,11 @@ def test_no_equation_is_manifest() -> None:
 
 
 def undefined(e: Basic, given: tuple[Basic, ...]) -> object:
-    return sign_prover.undefined(tree(e), conditions(given))
+    return sign_prover.undefined(in_trees(e), conditions(given))
 
 
 def continuous_on(e: Basic, given: tuple[Basic, ...]) -> object:
-    return sign_prover.continuous_on(tree(e), conditions(given))
+    return sign_prover.continuous_on(in_trees(e), conditions(given))
 
 
 def test_what_is_put_in_is_looked_at_in_place() -> None:

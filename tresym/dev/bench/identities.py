@@ -29,9 +29,10 @@ from tresym.dev.bench.run import (
     tally,
 )
 from tresym.ledger.claim import Chain, Claim, Step
-from tresym.ledger.conversion import conditions, definitions, known, put_in, tree
+from tresym.ledger.conversion import conditions, definitions, known, put_in
 from tresym.ledger.evidence.decided import Decided
 from tresym.ledger.evidence.sign_prover import manifest_sign
+from tresym.ledger.formulas import in_trees
 from tresym.ledger.paper import all_claims
 from tresym.reals.decisions.identity import decide
 from tresym.reals.language.binders import worked_out
@@ -118,7 +119,7 @@ def _expressions(says: Any, chain: Chain, put: tuple[Claim, ...]) -> list[Any]:
 
 def _variant(name: str, left: Any, right: Any, given: Any) -> Iterator[Identity]:
     """The first change of the right side that balls prove false."""
-    e = tree(right)
+    e = in_trees(right)
     edits = sorted(changes(e, sorted(symbols(e))), key=lambda change: change.rank)
     for changed in (to_sympy(edit.tree) for edit in edits[:VARIANTS]):
         if _verdict(left, changed, given) is Verdict.REFUTED:
@@ -128,13 +129,13 @@ def _variant(name: str, left: Any, right: Any, given: Any) -> Iterator[Identity]
 
 def _verdict(left: Any, right: Any, given: Any) -> Verdict:
     try:
-        return decide(tree(left), tree(right), known(conditions(given))).verdict
+        return decide(in_trees(left), in_trees(right), known(conditions(given))).verdict
     except InputError:
         return Verdict.UNDECIDED
 
 
 def _contenders(identity: Identity) -> Iterator[Contender]:
-    trees = tree(identity.left), tree(identity.right)
+    trees = in_trees(identity.left), in_trees(identity.right)
     given = known(conditions(identity.given))
     said = ", ".join(f"{x} {relation} {y}" for x, relation, y in given.comparisons)
     left, right = _declared(identity)
@@ -156,7 +157,7 @@ def _declared(identity: Identity) -> tuple[Any, Any]:
     positive = {
         s: sympy.Symbol(s.name, positive=True)
         for s in symbols
-        if manifest_sign(tree(s), conditions(identity.given)) == "+"
+        if manifest_sign(in_trees(s), conditions(identity.given)) == "+"
     }
     return identity.left.xreplace(positive), identity.right.xreplace(positive)
 

@@ -159,7 +159,7 @@ def _statements(claim: Claim) -> Iterator[_Statement]:
     """Yield the claim's relations with its conditions; parts of a conjunction have their own."""
     says: list[Any] = [claim.says]
     numbers: list[str] = []
-    whole = in_trees(claim.statement)
+    whole = claim.statement
     if isinstance(whole, Rounded):
         numbers = [whole.text]
     if isinstance(claim.says, str):

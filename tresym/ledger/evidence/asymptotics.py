@@ -82,7 +82,7 @@ def failing_order(claim: Claim) -> Finding | None:
 
 def _expanded(claim: Claim, proof: Asymptotics) -> Finding:
     """Expand the difference, in one variable or along the path, and compare it with the gauge."""
-    says = None if claim.statement is None else in_trees(claim.statement)
+    says = claim.statement
     stated = solved_for_order(says.relation) if isinstance(says, Tending) else None
     if stated is None or not isinstance(says, Tending):
         return Finding(Verdict.UNDECIDED, "the statement must be an equation with one order")
@@ -243,7 +243,7 @@ def _beyond(
         NotAlongError: it could not be shown that this makes the difference smaller in size.
     """
     root = next((c.proof for c in proof.claims if isinstance(c.proof, Root)), None)
-    unique = None if root is None else in_trees(root.unique.statement)
+    unique = None if root is None else root.unique.statement
     written, candidate = beside.left, worked_out(beside.right)
     one = unique if isinstance(unique, Count) and unique.how == "exactly one" else None
     if root is None or one is None or written != symbol(str(root.symbol)):

@@ -10,7 +10,7 @@ from flint import arb, fmpq
 
 from tresym.ledger.claim import Claim, Root
 from tresym.ledger.conversion import DEFINING, Conditions, conditions, definitions
-from tresym.ledger.formulas import in_order, in_trees
+from tresym.ledger.formulas import in_order
 from tresym.reals.domain.binder_values import At, bracketed, enclosing, value, value_or_nan
 from tresym.reals.domain.evaluation import UndefinedError, stands
 from tresym.reals.language.binders import root
@@ -119,7 +119,7 @@ def one_root(unique: Claim) -> tuple[str, Expr] | None:
     Example: that exactly one ``x in (0, 2)`` solves ``x**2 == a`` gives x and ``root(x**2 - a, x,
     0, 2)``.
     """
-    says = in_trees(unique.statement)
+    says = unique.statement
     if not isinstance(says, Count) or says.how not in ("exactly one", "at most one"):
         return None
     left, sign, right = says.equation

@@ -40,7 +40,7 @@ from tresym.ledger.evidence.integrals import NotShownError, with_bounds
 from tresym.ledger.evidence.premises import instantiated, unmet_condition
 from tresym.ledger.evidence.sign_prover import is_manifest, shortened, undefined
 from tresym.ledger.finding import Finding
-from tresym.ledger.formulas import Condition, in_order, in_trees, mapped, parts_of, relations_of
+from tresym.ledger.formulas import Condition, in_order, in_trees, mapped, relations_of
 from tresym.ledger.reasons import citing
 from tresym.reals.balls.branch_and_bound import Bound, Box, BoxProof
 from tresym.reals.balls.tracing import Named, Part, Program, traced
@@ -230,7 +230,7 @@ def judge_charted(claim: Claim, proof: Charted) -> Finding:
 
 def _gap(claim: Claim, proof: Charted) -> str | None:
     """Return why the margins do not imply the statement, or None if they do."""
-    statement = in_trees(claim.statement)
+    statement = claim.statement
     if statement is None:
         return "the claim states no formula"
     given = with_bounds(_conditions(claim.given), (citing(*proof.cited),))
@@ -445,7 +445,7 @@ def _unread(reading: Reading) -> str | None:
         if not is_manifest(Relation(required, ">=", ZERO), given):
             return f"could not show that {required} is not negative"
     for claim in reading.claims:
-        for part in parts_of(in_trees(claim.decided)) if claim.in_formulas else ():
+        for part in claim.parts if claim.in_formulas else ():
             if (
                 isinstance(part, Relation)
                 and part.sign == "=="

@@ -38,7 +38,6 @@ from tresym.ledger.conversion import (
     known,
     put_in,
     put_into,
-    tree,
 )
 from tresym.ledger.evidence.asymptotics import solved_for_order
 from tresym.ledger.evidence.box_bounds import decimal
@@ -178,7 +177,7 @@ def judge_decided(claim: Claim, proof: Decided) -> Finding:
         NotShownError: the statement is of another kind, or what it needs besides could not be
             shown.
     """
-    says = in_trees(claim.statement)
+    says: Any = claim.statement
     need(says is not None, "the claim states no formula")
     need_possible(claim)
     given = with_bounds(conditions(claim.given), (citing(*proof.cited),))
@@ -245,10 +244,10 @@ def _by_steps(claim: Claim, proof: Decided, says: Says, given: Conditions) -> Fi
         alike = isinstance(part, Equivalent) and len(part.parts) == 2
         need(isinstance(part, Relation) or alike, "only a relation is derived by steps")
         left, last = part.parts if alike else (part.left, part.right)
-        if alike and in_trees(chain[-1].expression) == left:  # SymPy has an order of its own
+        if alike and chain[-1].expression == left:  # SymPy has an order of its own
             left, last = last, left
         for link in chain:
-            right = last if link.expression is None else in_trees(link.expression)
+            right = last if link.expression is None else link.expression
             named = tuple(c for r in link.reasons for c in r.claims if c in proof.put)
             rules, meant = instantiated(named if link.reasons else proof.put, given)
             asked = tuple((c.left, c.sign, c.right) for c in put_into(given, rules))
@@ -464,8 +463,8 @@ def _in_variables(
         NotShownError: the new variables occur already, an old one is not the stated function of
             them, or their values do not satisfy the conditions on them.
     """
-    values = {str(name): tree(e) for name, e in new.values.items()}
-    old = {str(name): tree(e) for name, e in new.old.items()}
+    values = {str(name): in_trees(e) for name, e in new.values.items()}
+    old = {str(name): in_trees(e) for name, e in new.old.items()}
     taken = _names(relations).union(*(symbols(c.left) | symbols(c.right) for c in (*given, *here)))
     need(not taken & {*values}, "a new variable occurs in the statement or its conditions")
     for name, e in old.items():

@@ -137,16 +137,6 @@ def _parts_of(claim: Claim) -> Iterator[tuple[Says, tuple[Condition, ...]]]:
         yield from parts_under(claim.statement, claim.given)
 
 
-def _says(claim: Claim) -> Any:
-    """Return what a claim states; None if it has no formula."""
-    return None if claim.statement is None else in_trees(claim.statement)
-
-
-def _given(claim: Claim) -> tuple[Any, ...]:
-    """Return the conditions of a claim, equations included."""
-    return tuple(map(in_trees, claim.given))
-
-
 def _equations(given: Iterable[Condition]) -> tuple[Relation, ...]:
     """Return the equations among conditions."""
     return tuple(c for c in given if isinstance(c, Relation) and c.sign == "==")
@@ -168,7 +158,7 @@ def cited(claim: Claim, claims: Iterable[Claim]) -> Finding | None:
     Raises:
         NotShownError: a part is none of a claim, or a condition could not be shown.
     """
-    says = _says(claim)
+    says: Any = claim.statement
     if says is None:
         return None
     known = [pair for c in claims for pair in _parts_of(c)]
@@ -206,7 +196,7 @@ def _values(claim: Claim) -> tuple[dict[str, Expr], tuple[Condition, ...]]:
         NotShownError: an equation does not give a free symbol a value, or gives one twice.
     """
     values: dict[str, Expr] = {}
-    given = _given(claim)
+    given = claim.given
     for condition in filter(is_equation, given):
         left, value = condition.left, condition.right
         fits = left.op == "symbol" and str(left) not in values
@@ -228,8 +218,8 @@ def _put(c: Relation, values: Mapping[str, Expr]) -> Relation:
 
 def _refuted(says: Says, claim: Claim) -> Finding | None:
     """Return REFUTED with a point that contradicts a relation under the conditions, or None."""
-    values = tuple(filter(is_equation, _given(claim)))
-    given = tuple(c for c in _given(claim) if c not in values)
+    values = tuple(filter(is_equation, claim.given))
+    given = tuple(c for c in claim.given if c not in values)
     try:
         for known in dict.fromkeys((facts_used(claim), all_facts_behind(claim))):
             found = violation(says, given, (*known, *values))
@@ -248,7 +238,7 @@ class _Zero:
         proof = root.proof
         need(isinstance(proof, Root), f"{root.label} does not define a root")
         assert isinstance(proof, Root)
-        unique = _says(proof.unique)
+        unique = proof.unique.statement
         one = unique if isinstance(unique, Count) and unique.how == "exactly one" else None
         need(one is not None, "no root is defined")
         assert one is not None
@@ -259,7 +249,7 @@ class _Zero:
         need(self.variable not in self.values, "the unknown must have no value")
         sides = (in_order(one.equation[0] - one.equation[2]), one.low, one.high)
         self.h, self.low, self.high = (substitute(e, self.values) for e in sides)
-        asked = conditions(_given(proof.unique))
+        asked = conditions(proof.unique.given)
         for condition in asked:
             here = _put(condition, self.values)
             shown = here in self.given or is_manifest(here, self.given)
@@ -300,7 +290,7 @@ def judge_root_bound(claim: Claim, proof: RootBound) -> Finding:
     Raises:
         NotShownError: the bound is not shown to lie between the ends, or the sign is not shown.
     """
-    says = _says(claim)
+    says: Any = claim.statement
     need(_is_ordering(says), "this evidence shows a bound on a root")
     zero = _Zero(claim, proof.root)
     z = symbol(zero.symbol)
@@ -352,7 +342,7 @@ def judge_root_monotone(claim: Claim, proof: RootMonotone) -> Finding:
         NotShownError: the function is not shown to be smooth, the conditions do not describe an
             interval of the parameter, or the sign is not shown.
     """
-    says = _says(claim)
+    says: Any = claim.statement
     need(_is_monotone(says), "this evidence shows that a root is strictly monotone")
     zero, x = _Zero(claim, proof.root), says.name
     need(not zero.values, "the conditions must not be equations")
@@ -419,10 +409,10 @@ def judge_monotone_of(claim: Claim, proof: MonotoneOf) -> Finding:
     Raises:
         NotShownError: it depends on x in another way, or the sign of its derivative is not shown.
     """
-    says = _says(claim)
+    says: Any = claim.statement
     need(_is_monotone(says), "this evidence shows that an expression is strictly monotone")
     need_possible(claim)
-    written, x, given = says.function, says.name, conditions(_given(claim))
+    written, x, given = says.function, says.name, conditions(claim.given)
     found = [
         (part, asked)
         for part, asked in _parts_of(proof.inner)
@@ -435,7 +425,7 @@ def judge_monotone_of(claim: Claim, proof: MonotoneOf) -> Finding:
     # Between two of its values a root takes all others, as it is continuous in the parameter.
     ways = getattr(proof.inner.proof, "parts", (proof.inner.proof,))
     need(any(isinstance(way, RootMonotone) for way in ways), f"{y} must be shown to be continuous")
-    need(_implied(asked, _given(claim)), f"a condition of {proof.inner.label} could not be shown")
+    need(_implied(asked, claim.given), f"a condition of {proof.inner.label} could not be shown")
     behind = dependencies((*claim.rests_on, claim))
     others = symbols(written) - {y}
     alone = x not in others and dependent(others, (x,), behind) is None
@@ -456,7 +446,7 @@ def judge_monotone_of(claim: Claim, proof: MonotoneOf) -> Finding:
 
 def _not_monotone(claim: Claim) -> Finding | None:
     """Return REFUTED with two points that contradict a statement on monotone dependence."""
-    says, given = _says(claim), conditions(_given(claim))
+    says, given = claim.statement, conditions(claim.given)
     assert isinstance(says, Shape)
     x = says.name
     names = (names_of(*given) | {x}) - defined(claim)
@@ -488,7 +478,7 @@ def judge_from_the_edge(claim: Claim, proof: FromTheEdge) -> Finding:
     Raises:
         NotShownError: a condition could not be shown, or the direction is the wrong one.
     """
-    says = _says(claim)
+    says: Any = claim.statement
     need(_is_ordering(says), "this evidence shows a bound")
     need_possible(claim)
     monotone = [
@@ -497,7 +487,7 @@ def judge_from_the_edge(claim: Claim, proof: FromTheEdge) -> Finding:
         if isinstance(part, Shape) and part.how in RISES
         if part.function == says.left and (proof.of is None or str(proof.of) == part.name)
     ]
-    edge = in_trees(proof.at)
+    edge = proof.at
     shown: str | None = f"{proof.monotone.label} is not about {says.left}"
     for part, asked in monotone:
         shown = _beyond(claim, proof, part, asked, edge)
@@ -514,8 +504,9 @@ def _beyond(
     claim: Claim, proof: FromTheEdge, part: Shape, asked: tuple[Condition, ...], edge: Expr
 ) -> str | None:
     """Return why the bound does not carry over from the edge, or None if it does."""
-    says, x = _says(claim), part.name
-    given = conditions(_given(claim))
+    says: Any = claim.statement
+    x = part.name
+    given = conditions(claim.given)
     behind = dependencies((*claim.rests_on, claim))
     if x in symbols(says.right) | _behind(says.right, behind):
         return f"the bound depends on {x}"
@@ -558,11 +549,13 @@ def judge_from_slope(claim: Claim, proof: FromSlope) -> Finding:
     Raises:
         NotShownError: a condition could not be shown, or the claims are about another function.
     """
-    says = _says(claim)
+    says: Any = claim.statement
     above = _is_ordering(says) and says.sign in (">", ">=") and says.right == ZERO
     need(above, "the statement must be f > 0 or f >= 0")
     need_possible(claim)
-    f, slope, start = says.left, in_trees(proof.slope.decided), in_trees(proof.start.decided)
+    slope: Any = proof.slope.decided
+    start: Any = proof.start.decided
+    f = says.left
     rising = _is_ordering(slope) and slope.sign in (">", ">=") and slope.right == ZERO
     rising = rising and slope.left.op == "derivative" and slope.left.args[1].op == "symbol"
     need(rising, f"{proof.slope.label} does not say that a derivative is positive")
@@ -577,12 +570,12 @@ def judge_from_slope(claim: Claim, proof: FromSlope) -> Finding:
     behind = dependencies((*claim.rests_on, claim))
     free = symbols(f) - {x}
     need(dependent(free, (x,), behind) is None, f"a symbol of f is defined in terms of {x}")
-    given, asked = conditions(_given(claim)), conditions(_given(proof.slope))
+    given, asked = conditions(claim.given), conditions(proof.slope.given)
     _need_interval(asked, x)
     there = {x: p}
     need(is_manifest(Relation(symbol(x), ">", p), given), f"could not show {x} > {p}")
     at_start = tuple(_put(c, there) for c in asked)
-    for condition in (*asked, *at_start, *conditions(_given(proof.start))):
+    for condition in (*asked, *at_start, *conditions(proof.start.given)):
         shown = condition in given or is_manifest(condition, given)
         need(shown, f"could not show {condition}")
     need_smooth(f, asked)
@@ -604,7 +597,7 @@ def judge_infimum(claim: Claim, proof: InfimumBy) -> Finding:
     Raises:
         NotShownError: a condition could not be shown, or the excess does not tend to 0.
     """
-    says = _says(claim)
+    says: Any = claim.statement
     infimum = isinstance(says, Extremum) and says.how == "infimum"
     need(infimum, "this evidence shows an infimum")
     need_possible(claim)
@@ -612,7 +605,7 @@ def judge_infimum(claim: Claim, proof: InfimumBy) -> Finding:
     need(not symbols(v), "the infimum must be a number")
     bound = Relation(e, ">", v)
     known = [*_parts_of(proof.bound)]
-    given = conditions(_given(claim))
+    given = conditions(claim.given)
     rules, meant = instantiated(proof.using, given)
     lower = [asked for other, asked in known if other == bound]
     fits = any(
@@ -675,7 +668,7 @@ def judge_dominated(claim: Claim, proof: Dominated) -> Finding:
         NotShownError: the claims do not bound the difference, hold under other conditions, or the
             ratio is not of the order stated.
     """
-    says = _says(claim)
+    says: Any = claim.statement
     stated = solved_for_order(says.relation) if isinstance(says, Tending) else None
     need(stated is not None, "the statement must be an equation with one order")
     assert stated is not None
@@ -683,7 +676,7 @@ def judge_dominated(claim: Claim, proof: Dominated) -> Finding:
     path = says.path
     end, sides = path.point, path.sides
     need(not path.together and not symbols(end or ZERO), "one expression tends to a number")
-    given = conditions(_given(claim))
+    given = conditions(claim.given)
     upper, lower = _sizes(proof.above, stated.left, given)
     if proof.below is not None:
         lower = _sizes(proof.below, stated.left, given)[1]
@@ -698,7 +691,7 @@ def judge_dominated(claim: Claim, proof: Dominated) -> Finding:
         for near in NEAR
     ]
     for used in proof.claims:
-        for condition in conditions(_given(used)):
+        for condition in conditions(used.given):
             if condition in given or is_manifest(condition, given):
                 continue
             here = _by(e, t, condition.left - condition.right, given)
@@ -735,7 +728,7 @@ def _sizes(claim: Claim, difference: Expr, given: Conditions) -> tuple[Expr | No
         rest = collected(e - sign * difference)
         return rest == ZERO or decide_continuous(rest, ZERO, Given(given)).verdict is PROVED
 
-    stated = () if isinstance(claim.decided, str) else parts_of(in_trees(claim.decided))
+    stated = () if isinstance(claim.decided, str) else parts_of(claim.decided)
     for part in filter(_is_ordering, stated):
         less, more = part.left, part.right
         if part.sign in (">", ">="):

@@ -28,7 +28,6 @@ from tresym.ledger.conversion import (
     dependent,
     formula,
     known,
-    tree,
 )
 from tresym.ledger.evidence.sign_prover import (
     NON_NEGATIVE,
@@ -520,7 +519,7 @@ def _names_of(trees: Iterable[Expr]) -> frozenset[str]:
 def _expression(reason: Reason) -> Expr:
     """Return the expression that a reason carries."""
     assert reason.expression is not None
-    return tree(reason.expression)
+    return in_trees(reason.expression)
 
 
 def _integrals(*sides: Expr) -> list[Expr]:

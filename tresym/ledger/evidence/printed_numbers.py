@@ -100,7 +100,7 @@ def number_of(claim: Claim) -> Number:
         InputError: the claim states no printed number, or its claims do not define a symbol or do
             not prove that a root is unique.
     """
-    says = in_trees(claim.statement)
+    says = claim.statement
     if not isinstance(says, Rounded):
         raise InputError("the claim must state a printed number (Rounds)")
     return Number(term_of(claim, says.term), says.text, says.half_units, _target(says))

@@ -74,7 +74,7 @@ def not_denied(claim: Claim, exact: Point, bits: int = BITS[0]) -> str | None:
         for condition in map(in_trees, claim.given):
             if not _holds_at(condition, point):
                 return f"could not confirm the condition {condition} at the point"
-        if denied_at(in_trees(claim.statement), point) is None:
+        if denied_at(claim.statement, point) is None:
             return "could not show that the statement fails at the point"
     return None
 

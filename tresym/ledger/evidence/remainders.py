@@ -75,7 +75,7 @@ def _remainder(claim: Claim) -> Remainder | None:
 
 def as_printed(claim: Claim) -> bool:
     """Return whether the printed order follows from the decided formula without interpretation."""
-    if isinstance(in_trees(claim.means), Tending):
+    if isinstance(claim.means, Tending):
         return True
     remainder = _remainder(claim)
     if remainder is None or remainder.reading:
@@ -91,7 +91,7 @@ def untied(claim: Claim) -> str | None:
     """
     if isinstance(claim.says, str) or claim.means is None:
         return None
-    says, means = in_trees(claim.says), in_trees(claim.means)
+    says, means = claim.says, claim.means
     if isinstance(means, Tending):
         other = means.relation != says
         return "the order in `means` differs from the order in `says`" if other else None

@@ -16,10 +16,11 @@ from typing import Any
 
 from flint import arb
 
-from tresym.ledger.conversion import Conditions, Rules, conditions, formula, known, put_in, tree
+from tresym.ledger.conversion import Conditions, Rules, conditions, formula, known, put_in
 from tresym.ledger.counterexamples import somewhere
 from tresym.ledger.evidence.integrals import NotShownError, without_integrals
 from tresym.ledger.evidence.sign_prover import undefined
+from tresym.ledger.formulas import in_trees
 from tresym.ledger.reasons import differentiating_integral
 from tresym.reals.decisions.identity import decide_continuous
 from tresym.reals.domain.binder_values import jumps
@@ -62,7 +63,7 @@ def satisfiable(given: tuple[Any, ...], known: tuple[Any, ...]) -> bool:
     """
     stated = (r for e in known for r in relations(formula(e)))
     put, places = somewhere(given, known)
-    rules = {tree(left): tree(right) for left, right in put.items()}
+    rules = {in_trees(left): in_trees(right) for left, right in put.items()}
     named = [{str(symbol): where for symbol, where in place.items()} for place in places]
     return hold((*conditions(given), *stated), rules, named)
 

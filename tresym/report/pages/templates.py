@@ -23,7 +23,7 @@ from flint import fmpq
 
 from tresym.ledger.claim import Claim
 from tresym.ledger.finding import Premise
-from tresym.ledger.formulas import EqualMatrices, Rounded, in_trees, parts_of
+from tresym.ledger.formulas import EqualMatrices, Rounded, parts_of
 from tresym.ledger.paper import file_of
 from tresym.ledger.sentences import changed as compared
 from tresym.ledger.verification import Row
@@ -174,7 +174,7 @@ class Templates:
             return said(claim).formula or ""
         if claim.shown:
             return re.split(r",\\quad |,\\qquad | \\iff ", claim.shown)[int(part) - 1]
-        parts = () if isinstance(claim.says, str) else parts_of(in_trees(claim.says))
+        parts = () if isinstance(claim.says, str) else parts_of(claim.says)
         chosen = [says_latex(p) for p in parts] if len(parts) > 1 else _sides(*parts)
         return chosen[int(part) - 1]
 
@@ -262,12 +262,12 @@ class Templates:
 
     def printed(self, label: str) -> str:
         """Return the decimal that the paper prints, which a number claim decides."""
-        statement = in_trees(self._claim(label).statement)
+        statement = self._claim(label).statement
         return scientific(statement.text) if isinstance(statement, Rounded) else ""
 
     def constant(self, label: str, part: str = "1", share: str = "") -> str:
         """Return the constant of a bound: the rational factor of its right side, as a decimal."""
-        bound = parts_of(in_trees(self._claim(label).says))[int(part) - 1]
+        bound = parts_of(self._claim(label).says)[int(part) - 1]
         first = factors_in(bound.right)[0]
         factor = first.args[0] if first.op == "number" else fmpq(1)
         return decimal(100 * factor if share == "percent" else factor)

@@ -98,7 +98,7 @@ def _equations(start: str, chain: Chain, goal: str, sign: str = "") -> Iterator[
 
 def _equivalence(says: Equivalent, chain: Chain) -> Iterator[Line]:
     first, second = says.parts
-    backwards = in_trees(chain[-1].expression) == first
+    backwards = chain[-1].expression == first
     yield Line("", says_latex(second if backwards else first))
     for link in chain:
         arrived = second if link.expression is None else link.expression

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 from tresym.ledger.claim import AllOf, Claim, asked_by, jointly
-from tresym.ledger.formulas import in_trees, parts_of
+from tresym.ledger.formulas import parts_of
 from tresym.report.typesetting.conditions import gathered
 from tresym.report.typesetting.finding_text import readable
 from tresym.report.typesetting.formula_width import width
@@ -83,7 +83,7 @@ def _meant(claim: Claim) -> tuple[str, ...]:
     """The formulas that stand for a sentence."""
     if claim.statement is None or isinstance(claim.proof, AllOf):
         return ()
-    return tuple(map(says_latex, parts_of(in_trees(claim.statement))))
+    return tuple(map(says_latex, parts_of(claim.statement)))
 
 
 def of_record(record: dict[str, Any]) -> Said:
