@@ -12,7 +12,6 @@ Instead of a claim that it uses another one may stand, the definition d08 with a
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
@@ -20,17 +19,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tresym.papers.ledger_claims import PartReader
-from tresym.papers.reading import clauses_of, statements_of
+from tresym.papers.reading import clauses_of, labelled, statements_of
 from tresym.reals.numbers.exact import InputError
 
 if TYPE_CHECKING:
     from tresym.ledger.claim import Claim
-
-_STATED = re.compile(
-    r"(?P<label>(?:(?:let|assume)\s+)?[A-Za-z][\w-]*(?:\s*\([^()]*\)|\s*\[[^\]]*\])?\s*:(?!=))"
-    r"\s*(?P<said>.*)",
-    re.DOTALL,
-)
 
 
 @dataclass(frozen=True)
@@ -125,10 +118,11 @@ def lines_of(path: Path, others: Callable[[str], Mapping[str, Any]]) -> dict[str
                 found[label] = Line(label, *begun[:3], tuple(below), begun[3])
 
     for number, text in statements_of(written):
-        match = None if text.startswith(("#", ">", "use ")) else _STATED.fullmatch(text)
+        match = labelled(text)
         if match is not None:
             finish()
-            begun, below = (number, match["label"], match["said"], reader.forked()), []
+            name = text[: match.start(4)].rstrip()
+            begun, below = (number, name, match[4], reader.forked()), []
         reader.state(number, text)
         if match is None and reader.reaches(number):
             below.append((number, text))

@@ -310,7 +310,7 @@ class PartReader(Reader):
     def read(self, text: str) -> OwnPaper:
         """Read the whole file."""
         found = super().read(text)
-        self._finish()
+        self.finish()
         return found
 
     # How a line is read again with a change (:mod:`tresym.papers.changed_lines`)
@@ -323,17 +323,13 @@ class PartReader(Reader):
         """Return whether a line belongs to the claim that was read last."""
         return self.waiting is not None and line <= self.waiting.end
 
-    def finish(self) -> None:
-        """Make a claim of what was read last."""
-        self._finish()
-
     def finished(self, label: str) -> Claim:
         """Return the claim with this label, with all that was read below it.
 
         Raises:
             InputError: no claim was made of the line.
         """
-        self._finish()
+        self.finish()
         if label not in self.own:
             raise InputError(f"{label} is no claim")
         return self.own[label]
@@ -455,7 +451,7 @@ class PartReader(Reader):
         self.waiting = _Waiting(label, self._end(line), {**fields, "where": _place(place)})
         self.lines[label] = line, self.waiting.end
 
-    def _finish(self) -> None:
+    def finish(self) -> None:
         """Make a claim of what was read last."""
         if self.waiting is not None:
             waiting, self.waiting = self.waiting, None
@@ -466,7 +462,7 @@ class PartReader(Reader):
 
     def _statement(self, line: int, text: str) -> None:
         if self.waiting is not None and line > self.waiting.end + 1:
-            self._finish()
+            self.finish()
         match = DEFINED.fullmatch(text)
         if match is not None and not text.startswith(">") and self.matrices.stand_in(match[3]):
             self._define_matrix(line, match[1], match[2], match[3])
@@ -492,12 +488,12 @@ class PartReader(Reader):
         return super()._called(text)
 
     def _need_new_label(self, label: str) -> None:
-        self._finish()
+        self.finish()
         if label in self.lines:
             raise InputError(f"{label} is the label of line {self.lines[label][0]} already")
 
     def _use(self, line: int, names: Iterable[str], file: str) -> None:
-        self._finish()
+        self.finish()
         known = self.others(file)
         for name in names:
             if name not in known:

@@ -136,7 +136,9 @@ _AND_GIVEN = re.compile(r";\s*(?:given\s)?")
 _GIVEN = re.compile(r"given\s+(.+)")
 DEFINED = re.compile(rf"({_NAME})\s*(?:\(([^()]*)\))?\s*:=\s*(.*)")
 _DRAWN = re.compile(r"(table|chart)\s+([A-Za-z][\w-]*)\s*(?::\s*(.*))?")
-_CLAIM = re.compile(r"([A-Za-z][\w-]*)(?:\s*\((\w[\w.]*)\)|\s*\[([^\]]*)\])?\s*:(?!=)\s*(.*)")
+_PLACE = r"(?:\s*\((\w[\w.]*)\)|\s*\[([^\]]*)\])?"
+_STATED = rf"([A-Za-z][\w-]*){_PLACE}\s*:(?!=)\s*(.*)"
+_CLAIM, _ASSUME, _LET = (re.compile(word + _STATED) for word in ("", r"assume\s+", r"let\s+"))
 _OTHER_LABEL = re.compile(
     r"(\(?[^\W\d_][\w'-]*(?:[.\s]\s*[\w-]+)*\)?|\(?\d[\w.]*\)?)"
     r"(?:\s*:(?!=)|(?<=\d)\.\s)\s*(.*)"
@@ -155,9 +157,6 @@ _ASSUMED = re.compile(r"(?:let|assume|suppose)\s+(?:that\s+)?([^:]*(?:[<>=≤≥
 _LETTER_E = re.compile(r"(?<![\w.])e(?!\w)")
 _QUOTED = re.compile(r"\$[^$]*\$|`[^`]*`")
 CLAUSE = r"\s(?:given|as|at(?!\s+some\s+point\b)|on|using|expect|instead|quoted\s+from)\s+"
-_PLACE = r"(?:\s*\((\w[\w.]*)\)|\s*\[([^\]]*)\])?"
-_ASSUME = re.compile(rf"assume\s+([A-Za-z][\w-]*){_PLACE}\s*:(?!=)\s*(.*)")
-_LET = re.compile(rf"let\s+([A-Za-z][\w-]*){_PLACE}\s*:(?!=)\s*(.*)")
 _USE = re.compile(
     r"use\s+([A-Za-z][\w-]*(?:\s*,\s*[A-Za-z][\w-]*)*)\s+from\s+([\w-]+)(?:\.tresym)?"
 )
@@ -1351,6 +1350,11 @@ def label_of(printed: str) -> str:
     """
     word = re.sub(r"[^A-Za-z0-9_]+", "-", plain(printed)).strip("-")
     return word if word[:1].isalpha() else f"eq-{word}"
+
+
+def labelled(text: str) -> re.Match[str] | None:
+    """Return how a statement with a label is read, or None; what it says is the fourth group."""
+    return _LET.fullmatch(text) or _ASSUME.fullmatch(text) or _CLAIM.fullmatch(text)
 
 
 def clauses_of(written: str, words: str = CLAUSE) -> tuple[str, dict[str, str]]:

@@ -22,6 +22,7 @@ from zlib import crc32
 from tresym.papers.changed_lines import Line
 from tresym.reals.language.brackets import closing, places, split
 from tresym.reals.language.expression import Expr, symbols
+from tresym.reals.language.formula import MIRRORED
 from tresym.reals.numbers.exact import InputError
 from tresym.repair.edits import RELATIONS, changes
 
@@ -33,7 +34,6 @@ _REASON = re.compile(r"\s+\[[^\[\]]*\]\s*$")
 _DECIMAL = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 SHORT = 60
 """Characters of the longest expression that is quoted whole where it is changed."""
-_MIRRORED = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 
 
 class Span(NamedTuple):
@@ -85,9 +85,12 @@ class Place(NamedTuple):
 def slips(line: Line) -> list[Place]:
     """Return the places of a line that can be changed, each with its slips."""
     text = line.text
-    start, clauses = _clauses(line)
-    given = clauses.get("given")
-    written = [*_stages(text, Span(0, start)), *([] if given is None else [_Stage(given)])]
+    behind = {word: span for word, _, span in _clauses(line, text)}
+    given = behind.get("given")
+    written = [
+        *_stages(text, Span(0, _formula_end(line))),
+        *([] if given is None else [_Stage(given)]),
+    ]
     pieces = [(stage, span) for stage in written for span in _pieces(line, stage.span)]
     names = sorted({*chain.from_iterable(symbols(e) for e in _read(line, pieces))} - {"oo"})
     found: list[Place] = []
@@ -122,25 +125,27 @@ class _Stage(NamedTuple):
     """What a step in the middle of a derivation follows from, with the sign between them."""
 
 
-def _clauses(line: Line) -> tuple[int, dict[str, Span]]:
-    """Return where the formula ends, and the text of each clause."""
-    text = f"{line.text} "
-    begin = places(text, line.clause)
-    ends = [*(first for first, _ in begin[1:]), len(line.text)]
-    found = {
-        text[first:start].strip(): Span(start, start + len(text[start:end].rstrip()))
+def _clauses(line: Line, text: str) -> list[tuple[str, int, Span]]:
+    """Return the word of each clause of a text of the line, where it begins, and what follows."""
+    begin = places(f"{text} ", line.clause)
+    ends = [*(first for first, _ in begin[1:]), len(text)]
+    return [
+        (text[first:start].strip(), first, Span(start, start + len(text[start:end].rstrip())))
         for (first, start), end in zip(begin, ends, strict=False)
-    }
-    return (begin[0][0] if begin else len(line.text)), found
+    ]
+
+
+def _formula_end(line: Line) -> int:
+    """Return where the clauses of a line begin."""
+    clauses = _clauses(line, line.text)
+    return clauses[0][1] if clauses else len(line.text)
 
 
 def without(line: Line, text: str, *words: str) -> str:
     """Return a text of the line without some of its clauses."""
-    begin = places(f"{text} ", line.clause)
-    ends = [*(first for first, _ in begin[1:]), len(text)]
-    for (first, start), end in reversed([*zip(begin, ends, strict=False)]):
-        if text[first:start].strip() in words:
-            text = text[:first] + text[end:]
+    for word, first, span in reversed(_clauses(line, text)):
+        if word in words:
+            text = text[:first] + text[span.end :]
     return text
 
 
@@ -234,7 +239,7 @@ def _edited(line: Line, stage: _Stage, span: Span, names: list[str]) -> Iterator
             if stage.before:
                 within = Span(span.start - stage.span.start, span.end - stage.span.start)
                 step = stage.before + within.replaced(stage.span.of(text), new).strip()
-                step += f" {text[_clauses(line)[0] :]}"
+                step += f" {text[_formula_end(line) :]}"
             if max(len(old), len(new)) <= SHORT:
                 was, now = old, new
             yield Slip(was, now, whole, step)
@@ -253,7 +258,7 @@ def _turned(text: str, stage: _Stage) -> Iterator[Slip]:
     if match is None:
         return
     old = match[1]
-    for new in sorted(RELATIONS.get(old, ()), key=lambda sign: sign != _MIRRORED.get(old)):
+    for new in sorted(RELATIONS.get(old, ()), key=lambda sign: sign != MIRRORED.get(old)):
         changed = f"{before[: match.start()]}{new}{text[stage.span.start :]}"
         yield Slip(old, new, changed)
 
